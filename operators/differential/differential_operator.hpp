@@ -1,0 +1,55 @@
+#pragma once
+
+#include <span>
+
+#include "mote/neighbours/neighbours.hpp"
+#include "mote/options/description.hpp"
+
+namespace mote {
+
+/// An operator in any dimension: its options, and which neighbours it needs.
+class AnyOperator {
+ public:
+  virtual ~AnyOperator() = default;
+
+  /// Says which options the operator takes, and takes them.
+  virtual void describe(Description& description) = 0;
+
+  /// Which neighbours the lists must hold.
+  virtual NeighbourRule neighbour_rule() const = 0;
+};
+
+/// The one idea of mote: a differential operator is a rule that gives every neighbour a weight,
+///   (grad f)_i = sum_j g_ij (f_j - f_i),   (lap f)_i = sum_j l_ij (f_j - f_i).
+/// SPH, MPS, least squares and finite differences differ in g and l alone.
+///
+/// Weights come a row at a time, for all neighbours of one receiver: one virtual call a particle,
+/// inside which everything is static. That costs the same as a plain loop over gathered arrays
+/// and serves families that find a whole row at once.
+template <int D>
+class DifferentialOperator : public AnyOperator {
+ public:
+  /// Forms the sums per particle that the weights need. The points and lists must outlive the
+  /// calls below. Throws NumericalFailure where a receiver has no usable neighbourhood.
+  virtual void prepare(const Points<D>& points, const NeighbourLists& lists) = 0;
+
+  /// g_ij of receiver i, one vector for each of its neighbours in list order. [1/length]
+  virtual void gradient_weights(Index i, std::span<Vec<D>> weights) const = 0;
+
+  /// l_ij of receiver i, one number for each of its neighbours in list order. [1/length^2]
+  virtual void laplacian_weights(Index i, std::span<double> weights) const = 0;
+};
+
+/// The two options of every operator whose weights depend on a smoothing length.
+inline void describe_lengths(Description& description, double& smoothing_length,
+                             PairLength& length) {
+  static constexpr Word<PairLength> rules[] = {
+      {PairLength::mean, "mean", "the mean of the two points' lengths"},
+      {PairLength::scatter, "scatter", "the neighbour's length"},
+      {PairLength::gather, "gather", "the receiver's length"}};
+  description.number({"smoothing_length", "smoothing length in local spacings"}, smoothing_length,
+                     positive);
+  describe_words(description, {"length", "whose smoothing length a pair uses"}, length, rules);
+}
+
+}  // namespace mote

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mote/operators/differential/differential_operator.hpp"
+#include "mote/operators/weights/reciprocal.hpp"
+#include "mote/particles/failure.hpp"
+
+namespace mote {
+
+/// The moving particle semi-implicit method (Isshiki 2014, (70), (71), in D dimensions after
+/// Koshizuka & Oka 1996):
+///   g_ij = (D/n_i) w_ij (x_j - x_i)/r_ij^2,   l_ij = 2 D/(lambda_i n_i) w_ij,
+///   n_i = sum_j w_ij,   lambda_i = sum_j r_ij^2 w_ij / n_i.
+template <int D>
+class Mps final : public DifferentialOperator<D> {
+ public:
+  static constexpr int highest_dimension = 3;
+  static constexpr std::string_view family = "mps";
+  static constexpr std::string_view summary = "moving particle semi-implicit, (70) and (71)";
+  using Weight = Reciprocal;
+
+  double smoothing_length = Weight::usual_length;  ///< in local spacings
+  PairLength length = PairLength::mean;
+
+  void describe(Description& description) override {
+    describe_lengths(description, smoothing_length, length);
+  }
+
+  NeighbourRule neighbour_rule() const override {
+    return {Weight::support, smoothing_length, length};
+  }
+
+  void prepare(const Points<D>& points, const NeighbourLists& lists) override {
+    points_ = &points;
+    lists_ = &lists;
+    number_density_.resize(static_cast<std::size_t>(points.receivers));
+    lambda_.resize(static_cast<std::size_t>(points.receivers));
+#pragma omp parallel for schedule(static)
+    for (Index i = 0; i < points.receivers; ++i) {
+      double n = 0, moment = 0;
+      for (const Index j : lists[i]) {
+        const double w = weight(i, j);
+        n += w;
+        moment += w * squared_distance(i, j);
+      }
+      number_density_[i] = n;
+      lambda_[i] = moment / n;
+    }
+    refuse_bad_neighbourhoods();
+  }
+
+  void gradient_weights(Index i, std::span<Vec<D>> weights) const override {
+    const auto list = (*lists_)[i];
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const Index j = list[k];
+      weights[k] = D / number_density_[i] * weight(i, j) / squared_distance(i, j) *
+                   (points_->at(j) - points_->at(i));
+    }
+  }
+
+  void laplacian_weights(Index i, std::span<double> weights) const override {
+    const auto list = (*lists_)[i];
+    for (std::size_t k = 0; k < list.size(); ++k)
+      weights[k] = 2 * D / (lambda_[i] * number_density_[i]) * weight(i, list[k]);
+  }
+
+ private:
+  double squared_distance(Index i, Index j) const {
+    return (points_->at(i) - points_->at(j)).squaredNorm();
+  }
+  double weight(Index i, Index j) const {
+    const double h =
+        smoothing_length * pair_length(length, points_->length[i], points_->length[j]);
+    return Weight::value(std::sqrt(squared_distance(i, j)) / h);
+  }
+
+  void refuse_bad_neighbourhoods() const {
+    for (Index i = 0; i < points_->receivers; ++i) {
+      if (number_density_[i] > 0 && std::isfinite(lambda_[i])) continue;
+      const bool coincident = !std::isfinite(number_density_[i]);
+      const std::string what = coincident ? " coincides with another" : " has no neighbour";
+      throw NumericalFailure("particle " + std::to_string(i) + what, {i},
+                             coincident ? "the MPS weight h/r - 1 has no value at r = 0"
+                                        : "no other point lies within the smoothing length");
+    }
+  }
+
+  const Points<D>* points_ = nullptr;
+  const NeighbourLists* lists_ = nullptr;
+  std::vector<double> number_density_, lambda_;
+};
+
+}  // namespace mote

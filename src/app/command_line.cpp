@@ -1,0 +1,115 @@
+#include "mote/app/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+
+#include "mote/app/commands.hpp"
+#include "mote/particles/failure.hpp"
+#include "mote/scenario/located_error.hpp"
+#include "mote/scenario/version.hpp"
+
+namespace mote {
+namespace {
+
+void add_threads_and_quiet(CLI::App& command, RunOptions& options) {
+  command.add_option("--threads", options.threads, "OpenMP threads (default: all)")
+      ->check(CLI::Range(1, 4096));
+  command.add_flag("--quiet", options.quiet, "print nothing but errors");
+}
+
+void add_scenario(CLI::App& command, RunOptions& options) {
+  command.add_option("file", options.file, "scenario, a YAML file")->required();
+  command.add_option("--set", options.assignments, "key.path=value, in place of the file's value")
+      ->take_all()
+      ->expected(1);
+}
+
+/// The commands, each with the options it takes and what it does.
+class Commands {
+ public:
+  Commands(CLI::App& app, const Catalogue& catalogue) : catalogue_(catalogue) {
+    CLI::App* run_command = add(app, "run", "run a scenario and certify the result",
+                                [this] { return run(catalogue_, run_); });
+    add_scenario(*run_command, run_);
+    run_command->add_option("--out", run_.out, "output folder (default: a new one in results/)");
+    run_command->add_flag("--overwrite", run_.overwrite, "replace a former run in that folder");
+    add_threads_and_quiet(*run_command, run_);
+
+    CLI::App* check_command = add(app, "check", "validate and estimate; run nothing",
+                                  [this] { return check(catalogue_, run_); });
+    add_scenario(*check_command, run_);
+
+    CLI::App* resume_command = add(app, "resume", "go on from the last snapshot of a run",
+                                   [this] { return resume(catalogue_, run_); });
+    resume_command->add_option("folder", run_.out, "output folder of the run")->required();
+    add_threads_and_quiet(*resume_command, run_);
+
+    CLI::App* export_command = add(app, "export", "write a snapshot as CSV or VTK",
+                                   [this] { return export_frame(export_); });
+    export_command->add_option("folder", export_.folder, "output folder of a run")->required();
+    export_command->add_option("--frame", export_.frame, "number of the snapshot, or last");
+    export_command->add_option("--to", export_.to, "file to write, .csv or .vtp")->required();
+    export_command->add_flag("--overwrite", export_.overwrite, "replace the file");
+
+    CLI::App* list_command = add(app, "list", "what a scenario can name",
+                                 [this] { return list(catalogue_, what_); });
+    list_command->add_option("what", what_, "which list")
+        ->required()
+        ->check(CLI::IsMember(listable()));
+
+    add(app, "schema", "the JSON Schema of a scenario file",
+        [this] { return print_schema(catalogue_); });
+  }
+
+  int exit_code() const { return exit_code_; }
+
+ private:
+  CLI::App* add(CLI::App& app, const std::string& name, const std::string& summary,
+                std::function<int()> action) {
+    CLI::App* command = app.add_subcommand(name, summary);
+    command->callback([this, action = std::move(action)] { exit_code_ = action(); });
+    return command;
+  }
+
+  const Catalogue& catalogue_;
+  RunOptions run_;
+  ExportOptions export_;
+  std::string what_;
+  int exit_code_ = 0;
+};
+
+int bad_input(const std::string& message) {
+  fmt::print(stderr, "{}\n", message);
+  return 2;
+}
+
+}  // namespace
+
+int command_line(const Catalogue& catalogue, int argc, const char* const* argv) {
+  CLI::App app("mote: meshless particle methods, with an accuracy certificate for every run");
+  app.set_version_flag("--version", std::string(version));
+  app.require_subcommand(1);
+  Commands commands(app, catalogue);
+  try {
+    app.parse(argc, argv);
+    return commands.exit_code();
+  } catch (const CLI::Success& asked_for_help) {
+    return app.exit(asked_for_help);
+  } catch (const CLI::ParseError& error) {
+    return bad_input(fmt::format("mote: {} (see mote --help)", error.what()));
+  } catch (const LocatedError& error) {
+    return bad_input(error.what());
+  } catch (const InputError& error) {
+    return bad_input(fmt::format("mote: {}", error.what()));
+  } catch (const NumericalFailure& error) {
+    fmt::print(stderr, "mote: numerical failure: {}. Likely cause: {}\n", error.what(),
+               error.cause());
+    return 3;
+  } catch (const std::bad_alloc&) {
+    return bad_input("mote: this needs more memory than the machine has");
+  }
+}
+
+}  // namespace mote

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mote/catalogue/catalogue.hpp"
+
+namespace mote {
+
+/// Options of `mote run` and `mote check`.
+struct RunOptions {
+  std::string file;
+  std::vector<std::string> assignments;  ///< of --set, `key.path=value`
+  std::string out;                       ///< empty: a new folder below `results`
+  int threads = 0;                       ///< 0: the scenario's, or all there are
+  bool overwrite = false;
+  bool quiet = false;
+};
+
+struct ExportOptions {
+  std::string folder;
+  std::string frame = "last";
+  std::string to;
+  bool overwrite = false;
+};
+
+/// The commands of mote, one file each. They return the exit code, and throw LocatedError or
+/// InputError for bad input.
+int run(const Catalogue& catalogue, const RunOptions& options);
+int check(const Catalogue& catalogue, const RunOptions& options);
+int resume(const Catalogue& catalogue, const RunOptions& options);
+int export_frame(const ExportOptions& options);
+int list(const Catalogue& catalogue, const std::string& what);
+int print_schema(const Catalogue& catalogue);
+
+/// What `mote list` can list.
+std::vector<std::string> listable();
+
+}  // namespace mote

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+
+#include "mote/app/progress.hpp"
+#include "mote/app/simulation.hpp"
+#include "mote/output/folder.hpp"
+
+namespace mote {
+
+/// Steps a simulation from `start` to its end with snapshots and history, writes the certificate
+/// and the picture, and says how it went. Returns the exit code: 0 every check passed, 1 one
+/// failed, 3 the numerics failed.
+class RunLoop {
+ public:
+  RunLoop(Simulation& simulation, OutputFolder& folder, Progress::Style style);
+
+  int go_on_from(const Moment& start);
+
+ private:
+  void run_to(std::int64_t frame);
+  int conclude(Certificate certificate);
+  std::string failure_message(const std::string& what, const std::vector<Index>& particles,
+                              const std::string& cause) const;
+  void print_outcome(const Certificate& certificate, const std::string& picture) const;
+
+  Simulation& simulation_;
+  OutputFolder& folder_;
+  Progress::Style style_;
+  Progress progress_;
+  Moment now_;
+};
+
+}  // namespace mote

@@ -1,0 +1,116 @@
+#include "mote/app/simulation.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "mote/particles/failure.hpp"
+#include "mote/scenario/located_error.hpp"
+
+namespace mote {
+namespace {
+
+template <class Entry>
+const Entry& entry_named(const std::vector<Entry>& entries, const std::string& name) {
+  return *std::ranges::find(entries, name, &Entry::name);
+}
+
+/// The scenario's initial expressions as a function, with an error where one has no value.
+InitialValue initial_value(const Scenario& scenario) {
+  auto expressions = std::make_shared<std::map<std::string, Expression, std::less<>>>();
+  for (const auto& [field, text] : scenario.initial)
+    expressions->emplace(field, Expression(text, scenario.constants_by_name()));
+  return [expressions](std::string_view field, double x) {
+    const double value = expressions->find(field)->second({.x = x});
+    if (!std::isfinite(value))
+      throw InputError("initial." + std::string(field),
+                       fmt::format("'{}' is {} at x = {:.6g}", field, value, x));
+    return value;
+  };
+}
+
+LineSetup line_setup(Scenario& scenario, const Catalogue& catalogue) {
+  LineSetup setup;
+  setup.lower = scenario.domain.lower[0];
+  setup.upper = scenario.domain.upper[0];
+  setup.extension = *scenario.domain.extension;
+  setup.initial = initial_value(scenario);
+  const auto& layout = entry_named(catalogue.layouts, scenario.particles.layout);
+  setup.cells = layout.cells(setup.lower, setup.upper,
+                             static_cast<Index>(scenario.particles.count),
+                             static_cast<std::uint64_t>(scenario.particles.seed));
+  if (std::ranges::min(setup.cells.length) <= 0)
+    throw InputError("particles.count", fmt::format("{} particles between {} and {} lie closer "
+                                                    "than numbers can tell",
+                                                    scenario.particles.count, setup.lower,
+                                                    setup.upper));
+  setup.differential_operator.reset(
+      dynamic_cast<DifferentialOperator<1>*>(scenario.differential_operator.release()));
+  return setup;
+}
+
+}  // namespace
+
+Simulation::Simulation(const Document& document, Scenario scenario, const Catalogue& catalogue)
+    : scenario_(std::move(scenario)),
+      fingerprint_(mote::fingerprint(scenario_, catalogue)),
+      plan_(scenario_.time.step, *scenario_.output.every, scenario_.time.end) {
+  scenario_.threads = omp_get_max_threads();
+  resolved_yaml_ = mote::resolved_yaml(scenario_, catalogue);
+  try {
+    build(document, catalogue);
+  } catch (const InputError& error) {
+    throw LocatedError(document.locate(error.key()), error.what());
+  }
+}
+
+void Simulation::build(const Document& document, const Catalogue& catalogue) {
+  const NeighbourRule rule = scenario_.differential_operator->neighbour_rule();
+  if (rule.adjacent > *scenario_.domain.extension)
+    throw InputError("domain.extension",
+                     fmt::format("{} needs {} cell{} beyond each end, and 'extension' is {}",
+                                 scenario_.operator_name(), rule.adjacent,
+                                 rule.adjacent == 1 ? "" : "s", *scenario_.domain.extension));
+  if (static_cast<double>(*scenario_.domain.extension) < std::floor(rule.reach()))
+    warnings_.push_back(fmt::format(
+        "{}: warning: the region goes on for {} cells beyond its ends, but the operator reaches "
+        "{:.3g}: derivatives near the ends miss neighbours",
+        document.locate("domain.extension"), *scenario_.domain.extension, rule.reach()));
+  model_ = scenario_.model->make(line_setup(scenario_, catalogue));
+  integrator_ = entry_named(catalogue.integrators, scenario_.time.integrator).make();
+  conserved_at_start_ = model_->conserved();
+  const StepLimit limit = scenario_.model->step_limit(model_->cloud());
+  if (scenario_.time.step > limit.step)
+    throw InputError("time.step",
+                     fmt::format("the step {} is beyond the stability limit {:.4g}, {}",
+                                 scenario_.time.step, limit.step, limit.reason));
+  make_exact(catalogue);
+}
+
+void Simulation::make_exact(const Catalogue& catalogue) {
+  const std::string& against = scenario_.check.against;
+  if (against == "nothing") return;
+  exact_ = entry_named(catalogue.exact_solutions, against)
+               .make(model_->cloud(), model_->parameters());
+  if (scenario_.time.end >= exact_->valid_until())
+    throw InputError("time.end",
+                     fmt::format("the exact solution {} ends at t = {:.6g}, before the run does "
+                                 "at t = {}",
+                                 against, exact_->valid_until(), scenario_.time.end));
+}
+
+void Simulation::restore(const Snapshot& snapshot) {
+  if (snapshot.fingerprint != fingerprint_)
+    throw InputError("this snapshot belongs to another scenario than run.yaml");
+  for (const Field& field : model_->cloud().fields()) {
+    if (!snapshot.cloud.has(field.name) || snapshot.cloud.count() != model_->cloud().count())
+      throw InputError("this snapshot lacks particles or the field " + field.name);
+    std::ranges::copy(snapshot.cloud.values(field.name),
+                      model_->cloud().values(field.name).begin());
+  }
+}
+
+}  // namespace mote

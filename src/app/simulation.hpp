@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mote/app/time_plan.hpp"
+#include "mote/catalogue/catalogue.hpp"
+#include "mote/output/certificate.hpp"
+#include "mote/output/snapshot.hpp"
+#include "mote/scenario/scenario.hpp"
+
+namespace mote {
+
+/// A scenario made ready to run: the model in its initial state, the integrator, the plan of
+/// steps and, if the scenario checks against one, the exact solution.
+class Simulation {
+ public:
+  /// Throws LocatedError for input that shows itself as wrong only now: an expression without a
+  /// value at a particle, an exact solution that ends before the run does, ...
+  Simulation(const Document& document, Scenario scenario, const Catalogue& catalogue);
+
+  const Scenario& scenario() const { return scenario_; }
+  Model& model() { return *model_; }
+  const Model& model() const { return *model_; }
+  Integrator& integrator() { return *integrator_; }
+  const TimePlan& plan() const { return plan_; }
+  const ExactSolution* exact() const { return exact_.get(); }
+  const std::string& fingerprint() const { return fingerprint_; }
+  /// run.yaml: the scenario with every default, version and threads.
+  const std::string& resolved_yaml() const { return resolved_yaml_; }
+  const std::vector<Conserved>& conserved_at_start() const { return conserved_at_start_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+  /// Puts the model into the state of a snapshot. Throws InputError if it is of another scenario.
+  void restore(const Snapshot& snapshot);
+
+ private:
+  void build(const Document& document, const Catalogue& catalogue);
+  void make_exact(const Catalogue& catalogue);
+
+  Scenario scenario_;
+  std::string fingerprint_, resolved_yaml_;
+  TimePlan plan_;
+  std::unique_ptr<Model> model_;
+  std::unique_ptr<Integrator> integrator_;
+  std::unique_ptr<ExactSolution> exact_;
+  std::vector<Conserved> conserved_at_start_;
+  std::vector<std::string> warnings_;
+};
+
+/// The certificate of the state that the simulation is in.
+Certificate certificate_of(const Simulation& simulation, const Moment& moment);
+
+/// The certificate of a run that broke down: what it was, and no results.
+Certificate failed_certificate(const Simulation& simulation, const Moment& moment,
+                               const std::string& failure);
+
+}  // namespace mote

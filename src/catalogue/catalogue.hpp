@@ -1,0 +1,132 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mote/exact/exact_solution.hpp"
+#include "mote/integrators/integrator.hpp"
+#include "mote/models/model.hpp"
+#include "mote/operators/differential/all.hpp"
+#include "mote/operators/kernels/all.hpp"
+#include "mote/options/description.hpp"
+#include "mote/particles/layouts.hpp"
+
+namespace mote {
+
+struct KernelEntry : Choice {};
+
+/// A differential operator: a family, and the kernel it is built on ("" for a family without one).
+struct OperatorEntry {
+  std::string family, kernel, summary;
+  /// Makes it with default options; null if it does not exist in this dimension.
+  std::function<std::unique_ptr<AnyOperator>(std::int64_t dimension)> make;
+
+  /// The short form that a scenario may use: `sph.gauss`.
+  std::string name() const { return kernel.empty() ? family : family + "." + kernel; }
+};
+
+struct IntegratorEntry : Choice {
+  std::function<std::unique_ptr<Integrator>()> make;
+};
+
+struct ModelEntry : Choice {
+  std::function<std::unique_ptr<ModelRecipe>()> make;
+};
+
+struct LayoutEntry : Choice {
+  std::function<Cells(double lower, double upper, Index count, std::uint64_t seed)> cells;
+};
+
+struct ExactEntry : Choice {
+  std::vector<std::string> fields;  ///< what a `check` may set a limit for
+  /// Throws InputError if the solution is not one of this model with these parameters.
+  std::function<std::unique_ptr<ExactSolution>(const Cloud& initial, const Parameters&)> make;
+};
+
+/// Everything that a scenario can name. `standard_catalogue` holds mote's own lists; a program
+/// that links mote may add to it and pass it to the command line (see tests/outsider).
+struct Catalogue {
+  std::vector<KernelEntry> kernels;
+  std::vector<OperatorEntry> operators;
+  std::vector<IntegratorEntry> integrators;
+  std::vector<ModelEntry> models;
+  std::vector<LayoutEntry> layouts;
+  std::vector<ExactEntry> exact_solutions;
+
+  /// Adds a kernel, and with it an operator for each of mote's families built on kernels.
+  template <template <int> class Kernel>
+  void add_kernel();
+
+  /// Adds an operator family that is not built on a kernel.
+  template <template <int> class Family>
+  void add_family();
+
+  template <class Method>
+  void add_integrator();
+  template <class Recipe>
+  void add_model();
+  template <class Layout>
+  void add_layout();
+};
+
+/// The lists of mote: Kernels, KernelFamilies, PlainFamilies, Integrators, Models, Layouts, ...
+Catalogue standard_catalogue();
+
+template <class Plugin>
+Choice choice_of() {
+  return {std::string(Plugin::name), std::string(Plugin::summary)};
+}
+
+/// Makes Operator<dimension>, or nothing beyond its highest dimension.
+template <template <int> class Operator>
+std::unique_ptr<AnyOperator> make_operator(std::int64_t dimension) {
+  constexpr int highest = Operator<1>::highest_dimension;
+  if (dimension == 1) return std::make_unique<Operator<1>>();
+  if constexpr (highest >= 2)
+    if (dimension == 2) return std::make_unique<Operator<2>>();
+  if constexpr (highest >= 3)
+    if (dimension == 3) return std::make_unique<Operator<3>>();
+  return nullptr;
+}
+
+/// A family on a kernel, as a template over the dimension.
+template <template <int, class> class Family, template <int> class Kernel>
+struct OnKernel {
+  template <int D>
+  using Operator = Family<D, Kernel<D>>;
+};
+
+template <template <int> class Kernel>
+void Catalogue::add_kernel() {
+  kernels.push_back({choice_of<Kernel<1>>()});
+  for_each_kernel_family(KernelFamilies{}, [&]<template <int, class> class Family>() {
+    operators.push_back({std::string(Family<1, Kernel<1>>::family), std::string(Kernel<1>::name),
+                         std::string(Kernel<1>::summary),
+                         make_operator<OnKernel<Family, Kernel>::template Operator>});
+  });
+}
+
+template <template <int> class Family>
+void Catalogue::add_family() {
+  operators.push_back({std::string(Family<1>::family), "", std::string(Family<1>::summary),
+                       make_operator<Family>});
+}
+
+template <class Method>
+void Catalogue::add_integrator() {
+  integrators.push_back({choice_of<Method>(), [] { return std::make_unique<Method>(); }});
+}
+
+template <class Recipe>
+void Catalogue::add_model() {
+  models.push_back({choice_of<Recipe>(), [] { return std::make_unique<Recipe>(); }});
+}
+
+template <class Layout>
+void Catalogue::add_layout() {
+  layouts.push_back({choice_of<Layout>(), cells_of_line<Layout>});
+}
+
+}  // namespace mote

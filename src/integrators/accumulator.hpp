@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mote/integrators/system.hpp"
+
+namespace mote {
+
+/// Adds rates to values over many steps and keeps what rounding loses at each addition for the
+/// next one (Kahan 1965), so that the error does not grow with the number of steps.
+class Accumulator {
+ public:
+  /// value += step * rate, for every part.
+  void advance(std::span<const Evolving> parts, double step) {
+    lost_.resize(parts.size());
+    for (std::size_t part = 0; part < parts.size(); ++part)
+      add(parts[part].value, parts[part].rate, step, lost_[part]);
+  }
+
+  void forget() {
+    for (auto& lost : lost_) lost.assign(lost.size(), 0);
+  }
+
+ private:
+  static void add(std::span<double> value, std::span<const double> rate, double step,
+                  std::vector<double>& lost) {
+    lost.resize(value.size());
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      const double change = step * rate[i] - lost[i];
+      const double sum = value[i] + change;
+      lost[i] = (sum - value[i]) - change;
+      value[i] = sum;
+    }
+  }
+
+  std::vector<std::vector<double>> lost_;
+};
+
+}  // namespace mote

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "mote/integrators/forward_euler.hpp"
+#include "mote/integrators/runge_kutta_4.hpp"
+#include "mote/integrators/symplectic_euler.hpp"
+#include "mote/integrators/velocity_verlet.hpp"
+#include "mote/options/type_list.hpp"
+
+namespace mote {
+
+/// The integrators of mote. A new one is its own file and a word here.
+using Integrators = TypeList<ForwardEuler, SymplecticEuler, VelocityVerlet, RungeKutta4>;
+
+}  // namespace mote

@@ -1,0 +1,186 @@
+#include "mote/models/pressureless_gas.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mote/operators/differential/apply.hpp"
+#include "mote/particles/failure.hpp"
+#include "mote/sums/sheets.hpp"
+
+namespace mote {
+namespace {
+
+Frame frame_of(FrameChoice choice, const NeighbourRule& rule) {
+  if (choice == FrameChoice::automatic)
+    return rule.adjacent > 0 ? Frame::eulerian : Frame::lagrangian;
+  return choice == FrameChoice::eulerian ? Frame::eulerian : Frame::lagrangian;
+}
+
+bool by_continuity(const PressurelessGasOptions& options, Frame frame) {
+  if (frame == Frame::eulerian) return true;
+  if (options.density == DensityForm::automatic)
+    return options.gravity_form == GravityForm::potential;
+  return options.density == DensityForm::continuity;
+}
+
+}  // namespace
+
+PressurelessGas::PressurelessGas(const PressurelessGasOptions& options, LineSetup setup)
+    : options_(options),
+      frame_(frame_of(options.frame, setup.differential_operator->neighbour_rule())),
+      continuity_(by_continuity(options, frame_)),
+      operator_(std::move(setup.differential_operator)),
+      extension_(static_cast<Index>(setup.extension)),
+      lower_(setup.lower),
+      cloud_(1, static_cast<Index>(setup.cells.centre.size())) {
+  if (frame_ == Frame::eulerian && options.density == DensityForm::mass_over_volume)
+    throw InputError("model.density",
+                     "points that stand still keep their volume, so mass_over_volume cannot give "
+                     "their density; take continuity, or frame: lagrangian");
+  fill_cloud(setup);
+  name_evolving_values();
+}
+
+void PressurelessGas::fill_cloud(const LineSetup& setup) {
+  const auto count = setup.cells.centre.size();
+  position_ = cloud_.position();
+  velocity_ = cloud_.add("velocity", FieldKind::vector, "m/s");
+  density_ = cloud_.add("density", FieldKind::scalar, "kg/m3");
+  mass_ = cloud_.add("mass", FieldKind::scalar, "kg/m2");
+  length_ = cloud_.add("length", FieldKind::scalar, "m");
+  length_rate_ = cloud_.add("length_rate", FieldKind::scalar, "m/s");
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = setup.cells.centre[i], half = 0.5 * setup.cells.length[i];
+    position_[i] = x;
+    length_[i] = setup.cells.length[i];
+    velocity_[i] = setup.initial("velocity", x);
+    density_[i] = setup.initial("density", x);
+    mass_[i] = density_[i] * length_[i];
+    length_rate_[i] = setup.initial("velocity", x + half) - setup.initial("velocity", x - half);
+    if (!(density_[i] > 0))
+      throw InputError(
+          "initial.density",
+          fmt::format("the density must be positive everywhere, and is {:.6g} at x = {:.6g}",
+                      density_[i], x));
+  }
+}
+
+void PressurelessGas::name_evolving_values() {
+  const auto count = static_cast<std::size_t>(cloud_.count());
+  for (auto* rate : {&acceleration_, &operator_acceleration_, &length_acceleration_,
+                     &density_rate_, &derivative_})
+    rate->resize(count);
+  kicked_.push_back({velocity_, acceleration_});
+  if (uses_edges()) {
+    drifted_.push_back({position_, velocity_});
+    drifted_.push_back({length_, length_rate_});
+    kicked_.push_back({length_rate_, length_acceleration_});
+  }
+  if (continuity_) drifted_.push_back({density_, density_rate_});
+}
+
+bool PressurelessGas::uses_operator() const {
+  const bool gradient_of_potential =
+      options_.gravity > 0 && options_.gravity_form == GravityForm::potential;
+  return continuity_ || gradient_of_potential || options_.viscosity > 0;
+}
+
+void PressurelessGas::prepare(double) {
+  update_dependent_fields();
+  if (!uses_operator()) return;
+  extension_.extend({position_, mass_, density_, length_}, points_);
+  search_.find(points_, operator_->neighbour_rule(), lists_);
+  operator_->prepare(points_, lists_);
+  work_.pairs += lists_.pairs();
+  work_.evaluations += 1;
+  work_.mean_neighbours = static_cast<double>(lists_.pairs()) / cloud_.count();
+}
+
+/// Whatever of density and mass is not carried follows from the other.
+void PressurelessGas::update_dependent_fields() {
+  for (std::size_t i = 0; i < mass_.size(); ++i) {
+    if (frame_ == Frame::eulerian)
+      mass_[i] = density_[i] * length_[i];
+    else if (!continuity_)
+      density_[i] = mass_[i] / length_[i];
+  }
+}
+
+std::span<const double> PressurelessGas::extended(std::span<const double> values,
+                                                  std::vector<double>& room) {
+  room.resize(static_cast<std::size_t>(points_.size()));
+  extension_.fill(values, room);
+  return room;
+}
+
+void PressurelessGas::update_drift_rates(double) {
+  if (!continuity_) return;
+  if (frame_ == Frame::lagrangian) {
+    divergence<1>(*operator_, lists_, extended(velocity_, field_), derivative_);
+    for (std::size_t i = 0; i < density_.size(); ++i)
+      density_rate_[i] = -density_[i] * derivative_[i];  // (73c)
+    return;
+  }
+  field_.resize(static_cast<std::size_t>(points_.size()));
+  for (std::size_t i = 0; i < density_.size(); ++i) density_rate_[i] = density_[i] * velocity_[i];
+  extension_.fill(density_rate_, field_);
+  divergence<1>(*operator_, lists_, field_, derivative_);
+  for (std::size_t i = 0; i < density_.size(); ++i) density_rate_[i] = -derivative_[i];  // (72a)
+}
+
+void PressurelessGas::update_kick_rates(double) {
+  std::ranges::fill(operator_acceleration_, 0.0);
+  add_gravity_of_potential();
+  add_viscosity();
+  add_advection();
+  const bool sheets = options_.gravity_form == GravityForm::sheets;
+  sheet_acceleration(mass_, sheets ? options_.gravity : 0, acceleration_);
+  for (std::size_t i = 0; i < acceleration_.size(); ++i)
+    acceleration_[i] += operator_acceleration_[i];
+  if (uses_edges()) update_edge_rates();
+}
+
+/// -Pi' by the operator's gradient of the potential, as printed in (73b).
+void PressurelessGas::add_gravity_of_potential() {
+  if (options_.gravity_form != GravityForm::potential || options_.gravity == 0) return;
+  field_.resize(static_cast<std::size_t>(points_.size()));
+  mass_below_.resize(mass_.size() + 1);
+  moment_below_.resize(mass_.size() + 1);
+  sheet_potential(position_, mass_, options_.gravity, points_.position, mass_below_,
+                  moment_below_, field_);
+  gradient<1>(*operator_, lists_, field_, derivative_);
+  for (std::size_t i = 0; i < derivative_.size(); ++i) operator_acceleration_[i] -= derivative_[i];
+}
+
+/// nu u'' of (81b).
+void PressurelessGas::add_viscosity() {
+  if (options_.viscosity == 0) return;
+  laplacian<1>(*operator_, lists_, extended(velocity_, field_), derivative_);
+  for (std::size_t i = 0; i < derivative_.size(); ++i)
+    operator_acceleration_[i] += options_.viscosity * derivative_[i];
+}
+
+/// -u u' of (72b), for points that stand still.
+void PressurelessGas::add_advection() {
+  if (frame_ != Frame::eulerian) return;
+  gradient<1>(*operator_, lists_, extended(velocity_, field_), derivative_);
+  for (std::size_t i = 0; i < derivative_.size(); ++i)
+    operator_acceleration_[i] -= velocity_[i] * derivative_[i];
+}
+
+/// The edges of cell i fall apart at -4 pi G m_i in the gravity of sheets, and follow the mean of
+/// the neighbouring particles under the other forces, (74a).
+void PressurelessGas::update_edge_rates() {
+  const double g = options_.gravity_form == GravityForm::sheets ? options_.gravity : 0;
+  const std::size_t count = length_acceleration_.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double above = operator_acceleration_[std::min(i + 1, count - 1)];
+    const double below = operator_acceleration_[i > 0 ? i - 1 : 0];
+    length_acceleration_[i] = -4 * std::numbers::pi * g * mass_[i] + 0.5 * (above - below);
+  }
+}
+
+}  // namespace mote

@@ -1,0 +1,56 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mote/models/pressureless_gas.hpp"
+
+namespace mote {
+namespace {
+
+constexpr Word<GravityForm> gravity_forms[] = {
+    {GravityForm::sheets, "sheets", "2 pi G times the mass above less the mass below: exact"},
+    {GravityForm::potential, "potential",
+     "as printed: the operator's gradient of the potential, (73b)"}};
+
+constexpr Word<DensityForm> density_forms[] = {
+    {DensityForm::automatic, "automatic",
+     "mass_over_volume for moving points in the gravity of sheets, continuity otherwise"},
+    {DensityForm::mass_over_volume, "mass_over_volume",
+     "each cell's mass over the length between its edges, (74b)"},
+    {DensityForm::continuity, "continuity", "the continuity equation, (73c)"}};
+
+constexpr Word<FrameChoice> frames[] = {
+    {FrameChoice::automatic, "automatic", "eulerian for finite_difference, lagrangian otherwise"},
+    {FrameChoice::lagrangian, "lagrangian", "points move with the gas, (73)"},
+    {FrameChoice::eulerian, "eulerian", "points stand still, (72)"}};
+
+}  // namespace
+
+void PressurelessGasOptions::describe(Description& description) {
+  description.number({"gravity", "gravitational constant G"}, gravity, not_negative);
+  description.number({"viscosity", "kinematic viscosity nu"}, viscosity, not_negative);
+  describe_words(description, {"gravity_form", "how gravity is found"}, gravity_form,
+                 gravity_forms);
+  describe_words(description, {"density", "how density is found"}, density, density_forms);
+  describe_words(description, {"frame", "whether the points move"}, frame, frames);
+}
+
+std::vector<InitialField> PressurelessGasRecipe::initial_fields() const {
+  return {{"density", "density at the start", ""}, {"velocity", "velocity at the start", "0"}};
+}
+
+std::unique_ptr<Model> PressurelessGasRecipe::make(LineSetup setup) const {
+  return std::make_unique<PressurelessGas>(options, std::move(setup));
+}
+
+StepLimit PressurelessGasRecipe::step_limit(const Cloud& initial) const {
+  const double densest = std::ranges::max(initial.values("density"));
+  const double shortest = std::ranges::min(initial.values("length"));
+  const StepLimit fall{1 / std::sqrt(4 * std::numbers::pi * options.gravity * densest),
+                       "the time in which the densest gas falls together"};
+  const StepLimit diffusion{shortest * shortest / (2 * options.viscosity),
+                            "explicit viscosity, shortest cell^2/(2 viscosity)"};
+  return diffusion.step < fall.step ? diffusion : fall;
+}
+
+}  // namespace mote

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mote/exact/exact_solution.hpp"
+#include "mote/models/model.hpp"
+
+namespace mote {
+
+/// Errors of one field against a reference, each relative to the reference's own norm (absolute
+/// where that is zero): sum |e|/sum |r|, sqrt(sum e^2/sum r^2), max |e|/max |r|.
+struct ErrorNorms {
+  std::string field;
+  double l1 = 0, l2 = 0, max = 0;
+  std::int64_t compared = 0;  ///< points at which the reference has a value
+};
+
+/// Compares values with a reference; points where the reference is NaN are left out and counted.
+ErrorNorms error_norms(const std::string& field, std::span<const double> values,
+                       std::span<const double> reference);
+
+/// How far a conserved quantity moved, relative to its scale.
+struct Drift {
+  std::string quantity;
+  double start = 0, end = 0, drift = 0;
+};
+std::vector<Drift> drifts(const std::vector<Conserved>& start, const std::vector<Conserved>& end);
+
+/// One statement of the certificate: a number and the limit it must not exceed.
+struct CheckResult {
+  std::string name;
+  double value = 0;
+  double limit = 0;
+  bool passed() const { return value <= limit; }
+};
+
+/// What a run ends with, good or bad.
+struct Certificate {
+  std::string name, version, units, differential_operator, integrator, model, against;
+  std::int64_t dimension = 1, particles = 0, steps = 0;
+  int threads = 1;
+  double time = 0;
+  double wall_seconds = 0;        ///< of this process
+  std::int64_t steps_timed = 0;   ///< steps done in wall_seconds
+  PairWork pair_work;
+  std::vector<ErrorNorms> errors;
+  std::vector<Drift> conservation;
+  std::vector<CheckResult> checks;
+  std::vector<std::string> remarks, warnings;
+  std::optional<std::string> failure;
+
+  bool passed() const;
+};
+
+/// The certificate as the contract's summary.json.
+std::string summary_json(const Certificate& certificate);
+
+/// The certificate for a person; shows `picture` if there is one.
+std::string report_markdown(const Certificate& certificate, const std::string& picture);
+
+}  // namespace mote

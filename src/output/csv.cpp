@@ -1,0 +1,39 @@
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "mote/output/tables.hpp"
+
+namespace mote {
+namespace {
+
+constexpr const char* axes[] = {"x", "y", "z"};
+
+std::string header(const Cloud& cloud) {
+  std::string line = "id";
+  for (const Field& field : cloud.fields())
+    for (int c = 0; c < field.components; ++c) {
+      line += ',';
+      if (field.name != "position") line += field.name;
+      if (field.kind == FieldKind::vector && field.name != "position") line += '_';
+      if (field.kind == FieldKind::vector) line += axes[c];
+    }
+  return line + '\n';
+}
+
+}  // namespace
+
+std::string csv_of(const Cloud& cloud) {
+  std::string text = header(cloud);
+  for (Index i = 0; i < cloud.count(); ++i) {
+    fmt::format_to(std::back_inserter(text), "{}", i);
+    for (const Field& field : cloud.fields())
+      for (int c = 0; c < field.components; ++c)
+        fmt::format_to(std::back_inserter(text), ",{:.17g}",
+                       field.values[static_cast<std::size_t>(i) * field.components + c]);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace mote

@@ -1,0 +1,79 @@
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "mote/output/certificate.hpp"
+
+namespace mote {
+namespace {
+
+using Out = std::back_insert_iterator<std::string>;
+
+std::string verdict(const Certificate& c) {
+  if (c.failure) return "**Failed: the numerics broke down.** " + *c.failure;
+  if (c.checks.empty()) return "**Ran to the end.** The scenario states no check.";
+  return c.passed() ? "**Passed: every check holds.**" : "**A check failed.**";
+}
+
+void add_checks(Out out, const Certificate& c) {
+  if (c.checks.empty()) return;
+  fmt::format_to(out, "\n## Checks\n\n| check | value | limit | |\n|---|---|---|---|\n");
+  for (const CheckResult& check : c.checks)
+    fmt::format_to(out, "| {} | {:.3g} | {:.3g} | {} |\n", check.name, check.value, check.limit,
+                   check.passed() ? "passed" : "**failed**");
+}
+
+void add_errors(Out out, const Certificate& c) {
+  if (c.errors.empty()) return;
+  fmt::format_to(out,
+                 "\n## Errors at t = {:.6g} against `{}`\n\nRelative to the reference's own norm."
+                 "\n\n| field | L1 | L2 | max | points compared |\n|---|---|---|---|---|\n",
+                 c.time, c.against);
+  for (const ErrorNorms& e : c.errors)
+    fmt::format_to(out, "| {} | {:.3g} | {:.3g} | {:.3g} | {} of {} |\n", e.field, e.l1, e.l2,
+                   e.max, e.compared, c.particles);
+}
+
+void add_conservation(Out out, const Certificate& c) {
+  fmt::format_to(out,
+                 "\n## Conservation\n\n| quantity | start | end | relative drift |\n"
+                 "|---|---|---|---|\n");
+  for (const Drift& d : c.conservation)
+    fmt::format_to(out, "| {} | {:.9g} | {:.9g} | {:.2e} |\n", d.quantity, d.start, d.end, d.drift);
+}
+
+void add_cost(Out out, const Certificate& c) {
+  fmt::format_to(out,
+                 "\n## Cost\n\n{} particles, {} steps to t = {:.6g}; {} steps in {:.3g} s on {} "
+                 "thread{}: {:.3g} particle updates a second.\n",
+                 c.particles, c.steps, c.time, c.steps_timed, c.wall_seconds, c.threads,
+                 c.threads == 1 ? "" : "s",
+                 c.wall_seconds > 0 ? static_cast<double>(c.particles) *
+                                          static_cast<double>(c.steps_timed) / c.wall_seconds
+                                    : 0.0);
+  if (c.pair_work.evaluations > 0)
+    fmt::format_to(out, "Neighbour lists were built {} times, {:.1f} neighbours a particle.\n",
+                   c.pair_work.evaluations, c.pair_work.mean_neighbours);
+}
+
+}  // namespace
+
+std::string report_markdown(const Certificate& c, const std::string& picture) {
+  std::string text;
+  const Out out = std::back_inserter(text);
+  fmt::format_to(out, "# {}\n\n{}\n", c.name, verdict(c));
+  if (!picture.empty()) fmt::format_to(out, "\n![fields at the end]({})\n", picture);
+  add_checks(out, c);
+  add_errors(out, c);
+  add_conservation(out, c);
+  fmt::format_to(out, "\n## Method\n\nModel `{}`, operator `{}`, integrator `{}`; units: {}.\n",
+                 c.model, c.differential_operator, c.integrator, c.units);
+  for (const auto& remark : c.remarks) fmt::format_to(out, "{}\n", remark);
+  if (!c.warnings.empty()) fmt::format_to(out, "\n## Warnings\n\n");
+  for (const auto& warning : c.warnings) fmt::format_to(out, "- {}\n", warning);
+  add_cost(out, c);
+  fmt::format_to(out, "\nmote {}; the scenario with every default is in `run.yaml`.\n", c.version);
+  return text;
+}
+
+}  // namespace mote

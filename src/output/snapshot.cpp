@@ -1,0 +1,145 @@
+#include "mote/output/snapshot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "mote/output/files.hpp"
+#include "mote/output/hdf5.hpp"
+#include "mote/particles/failure.hpp"
+
+namespace mote {
+namespace {
+
+/// VTK wants three components for every position and vector.
+std::vector<double> in_three_components(const Field& field, Index count) {
+  std::vector<double> padded(3 * static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+    std::copy_n(field.values.begin() + static_cast<std::ptrdiff_t>(i) * field.components,
+                field.components, padded.begin() + static_cast<std::ptrdiff_t>(3 * i));
+  return padded;
+}
+
+void write_point_data(hid_t vtk, const Cloud& cloud) {
+  const auto points = static_cast<hsize_t>(cloud.count());
+  const hdf5::Handle data = hdf5::create_group(vtk, "PointData");
+  std::vector<std::int64_t> id(points);
+  std::iota(id.begin(), id.end(), 0);
+  hdf5::write(data, "id", H5T_NATIVE_INT64, id.data(), points);
+  for (const Field& field : cloud.fields()) {
+    if (field.name == "position") continue;
+    if (field.kind == FieldKind::scalar)
+      hdf5::write(data, field.name, H5T_NATIVE_DOUBLE, field.values.data(), points);
+    else
+      hdf5::write(data, field.name, H5T_NATIVE_DOUBLE,
+                  in_three_components(field, cloud.count()).data(), points, 3);
+  }
+}
+
+void write_vtk(hid_t file, const Cloud& cloud) {
+  const std::int64_t points = cloud.count();
+  const hdf5::Handle vtk = hdf5::create_group(file, "VTKHDF");
+  hdf5::write_attribute(vtk, "Version", std::array<std::int64_t, 2>{1, 0});
+  hdf5::write_attribute(vtk, "Type", std::string("UnstructuredGrid"));
+  const std::int64_t cells = 1;
+  hdf5::write(vtk, "NumberOfPoints", H5T_NATIVE_INT64, &points, 1);
+  hdf5::write(vtk, "NumberOfCells", H5T_NATIVE_INT64, &cells, 1);
+  hdf5::write(vtk, "NumberOfConnectivityIds", H5T_NATIVE_INT64, &points, 1);
+  hdf5::write(vtk, "Points", H5T_NATIVE_DOUBLE,
+              in_three_components(cloud.fields().front(), cloud.count()).data(),
+              static_cast<hsize_t>(points), 3);
+  std::vector<std::int64_t> connectivity(static_cast<std::size_t>(points));
+  std::iota(connectivity.begin(), connectivity.end(), 0);
+  hdf5::write(vtk, "Connectivity", H5T_NATIVE_INT64, connectivity.data(),
+              static_cast<hsize_t>(points));
+  const std::array<std::int64_t, 2> offsets{0, points};
+  hdf5::write(vtk, "Offsets", H5T_NATIVE_INT64, offsets.data(), 2);
+  constexpr unsigned char poly_vertex = 2;
+  hdf5::write(vtk, "Types", H5T_NATIVE_UCHAR, &poly_vertex, 1);
+  write_point_data(vtk, cloud);
+}
+
+/// The restart group: attributes, and each field with its components; scalars are hard links to
+/// the arrays that VTK reads.
+void write_restart(hid_t file, const Moment& moment, const std::string& fingerprint,
+                   const Cloud& cloud) {
+  const hdf5::Handle group = hdf5::create_group(file, "mote");
+  hdf5::write_attribute(group, "frame", std::span(&moment.frame, 1));
+  hdf5::write_attribute(group, "step", std::span(&moment.step, 1));
+  hdf5::write_attribute(group, "time", moment.time);
+  hdf5::write_attribute(group, "scenario", fingerprint);
+  const std::int64_t dimension = cloud.dimension(), count = cloud.count();
+  hdf5::write_attribute(group, "dimension", std::span(&dimension, 1));
+  hdf5::write_attribute(group, "particles", std::span(&count, 1));
+  const hdf5::Handle state = hdf5::create_group(group, "state");
+  for (const Field& field : cloud.fields()) {
+    if (field.kind == FieldKind::vector) {
+      hdf5::write(state, field.name, H5T_NATIVE_DOUBLE, field.values.data(),
+                  static_cast<hsize_t>(count), static_cast<hsize_t>(field.components));
+    } else {
+      const std::string source = "/VTKHDF/PointData/" + field.name;
+      hdf5::require(H5Lcreate_hard(file, source.c_str(), state, field.name.c_str(), H5P_DEFAULT,
+                                   H5P_DEFAULT),
+                    field.name);
+    }
+    const hdf5::Handle set(H5Dopen2(state, field.name.c_str(), H5P_DEFAULT), H5Dclose, field.name);
+    hdf5::write_attribute(set, "kind",
+                          std::string(field.kind == FieldKind::vector ? "vector" : "scalar"));
+    hdf5::write_attribute(set, "unit", field.si_unit);
+  }
+}
+
+Cloud read_cloud(hid_t group) {
+  const std::int64_t count = hdf5::read_integer(group, "particles");
+  Cloud cloud(static_cast<int>(hdf5::read_integer(group, "dimension")), static_cast<Index>(count));
+  const hdf5::Handle state = hdf5::open_group(group, "state");
+  for (const std::string& name : hdf5::members(state)) {
+    const std::vector<double> values = hdf5::read_doubles(state, name);
+    const hdf5::Handle set(H5Dopen2(state, name.c_str(), H5P_DEFAULT), H5Dclose, name);
+    if (!cloud.has(name))
+      cloud.add(name,
+                hdf5::read_string(set, "kind") == "vector" ? FieldKind::vector : FieldKind::scalar,
+                hdf5::read_string(set, "unit"));
+    const std::span<double> target = cloud.values(name);
+    if (values.size() != target.size())
+      throw std::runtime_error("the field " + name + " has the wrong size");
+    std::ranges::copy(values, target.begin());
+  }
+  return cloud;
+}
+
+}  // namespace
+
+void write_snapshot(const std::filesystem::path& path, const Moment& moment,
+                    const std::string& fingerprint, const Cloud& cloud) {
+  hdf5::be_quiet();
+  try {
+    const hdf5::Handle file = hdf5::create_file(unfinished(path).string());
+    write_vtk(file, cloud);
+    write_restart(file, moment, fingerprint, cloud);
+    hdf5::require(H5Fflush(file, H5F_SCOPE_LOCAL), "the disk may be full");
+  } catch (const std::runtime_error& error) {
+    throw InputError(fmt::format("{}: cannot write this snapshot: {}", path.string(), error.what()));
+  }
+  finish(path);
+}
+
+Snapshot read_snapshot(const std::filesystem::path& path) {
+  hdf5::be_quiet();
+  try {
+    const hdf5::Handle file = hdf5::open_file(path.string());
+    const hdf5::Handle group = hdf5::open_group(file, "mote");
+    return {{hdf5::read_integer(group, "frame"), hdf5::read_integer(group, "step"),
+             hdf5::read_double(group, "time")},
+            hdf5::read_string(group, "scenario"),
+            read_cloud(group)};
+  } catch (const std::runtime_error& error) {
+    throw InputError(
+        fmt::format("{}: this snapshot is damaged or not one of mote: {}", path.string(),
+                    error.what()));
+  }
+}
+
+}  // namespace mote

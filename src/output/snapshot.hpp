@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "mote/particles/cloud.hpp"
+
+namespace mote {
+
+/// Where in a run a snapshot was taken.
+struct Moment {
+  std::int64_t frame = 0;
+  std::int64_t step = 0;
+  double time = 0;
+};
+
+/// A snapshot as it stands in a file: the state and which run it belongs to.
+struct Snapshot {
+  Moment moment;
+  std::string fingerprint;  ///< of the resolved scenario
+  Cloud cloud;
+};
+
+/// Writes a snapshot as one HDF5 file: the group `VTKHDF` (1.0, unstructured grid of one
+/// poly-vertex cell) that ParaView 5.11 and VTK 9.1 open, and the group `mote` for restart. The
+/// file appears whole or not at all, and depends on the state alone. Throws InputError.
+void write_snapshot(const std::filesystem::path& path, const Moment& moment,
+                    const std::string& fingerprint, const Cloud& cloud);
+
+/// Reads a snapshot. Throws InputError for a file that is damaged or not ours.
+Snapshot read_snapshot(const std::filesystem::path& path);
+
+}  // namespace mote

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mote/particles/vector.hpp"
+
+namespace mote {
+
+enum class FieldKind { scalar, vector };
+
+/// One named quantity of every particle, particle by particle; a vector has as many components as
+/// space has dimensions.
+struct Field {
+  std::string name;
+  FieldKind kind;
+  int components;
+  std::string si_unit;  ///< what to write on an axis when the scenario says `units: SI`
+  std::vector<double> values;
+};
+
+/// The particles: named fields, position first. All that a step needs is in here, which is what
+/// makes a restart exact. Spans into it stay valid while fields are added and when it is moved.
+class Cloud {
+ public:
+  /// `dimension` is 1, 2 or 3. The cloud starts with the field `position`.
+  Cloud(int dimension, Index count);
+
+  int dimension() const { return dimension_; }
+  Index count() const { return count_; }
+  const std::vector<Field>& fields() const { return fields_; }
+
+  /// Adds a field of zeros. The name must be new.
+  std::span<double> add(std::string name, FieldKind kind, std::string si_unit);
+
+  bool has(std::string_view name) const;
+  /// The values of a field that exists; std::out_of_range otherwise.
+  std::span<double> values(std::string_view name);
+  std::span<const double> values(std::string_view name) const;
+  std::span<double> position() { return fields_.front().values; }
+  std::span<const double> position() const { return fields_.front().values; }
+
+ private:
+  const Field& field(std::string_view name) const;
+
+  int dimension_;
+  Index count_;
+  std::vector<Field> fields_;
+};
+
+}  // namespace mote

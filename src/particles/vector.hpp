@@ -1,0 +1,15 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+namespace mote {
+
+/// A particle's number; also counts particles and neighbours.
+using Index = std::int32_t;
+
+/// A point or vector in D dimensions.
+template <int D>
+using Vec = Eigen::Matrix<double, D, 1>;
+
+}  // namespace mote

@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <map>
+
+#include "mote/scenario/scenario.hpp"
+
+namespace mote {
+namespace {
+
+template <class Entry>
+Choices choices_of(const std::vector<Entry>& entries) {
+  return {entries.begin(), entries.end()};
+}
+
+template <class Entry>
+const Entry& entry_named(const std::vector<Entry>& entries, const std::string& name) {
+  return *std::ranges::find(entries, name, &Entry::name);
+}
+
+void describe_domain(Description& d, Scenario::Domain& domain) {
+  d.numbers({"lower", "lower corner, one number a dimension", true}, domain.lower);
+  d.numbers({"upper", "upper corner, one number a dimension", true}, domain.upper);
+  d.choice({"boundary", "what lies beyond the ends"}, domain.boundary,
+           {{"zero_gradient", "cells like the end cell, (76)"}});
+  d.count({"extension", "cells beyond each end (N_end_cor); default: the operator's reach"},
+          domain.extension, {0, 1e6});
+}
+
+void describe_particles(Description& d, Scenario::Particles& particles,
+                        const Catalogue& catalogue) {
+  d.choice({"layout", "how the points lie"}, particles.layout, choices_of(catalogue.layouts));
+  d.count({"count", "number of particles", true}, particles.count, {2, 2e9});
+  d.count({"seed", "of the random layout"}, particles.seed, not_negative);
+}
+
+void describe_model(Description& d, Scenario& scenario, const Catalogue& catalogue) {
+  d.variant({"type", "equations of motion", true}, scenario.model_type,
+            choices_of(catalogue.models), [&](const std::string& type) {
+              if (type.empty()) return;
+              if (scenario.model_type != type || !scenario.model)
+                scenario.model = entry_named(catalogue.models, type).make();
+              scenario.model_type = type;
+              scenario.model->describe(d);
+            });
+}
+
+/// The initial fields of the model, with its defaults.
+void describe_initial(Description& d, Scenario& scenario) {
+  for (const InitialField& field : scenario.model->initial_fields()) {
+    auto found = std::ranges::find(scenario.initial, field.name,
+                                   &std::pair<std::string, std::string>::first);
+    if (found == scenario.initial.end()) {
+      scenario.initial.emplace_back(field.name, field.default_expression);
+      found = std::prev(scenario.initial.end());
+    }
+    d.expression({field.name, field.summary, field.default_expression.empty()}, found->second);
+  }
+}
+
+/// The operators of one family, or their kernels, as choices.
+Choices families(const Catalogue& catalogue) {
+  Choices choices;
+  for (const OperatorEntry& entry : catalogue.operators)
+    if (std::ranges::find(choices, entry.family, &Choice::name) == choices.end())
+      choices.push_back({entry.family, entry.kernel.empty() ? entry.summary : "on a kernel"});
+  return choices;
+}
+
+Choices kernels_of(const Catalogue& catalogue, const std::string& family) {
+  Choices choices;
+  for (const OperatorEntry& entry : catalogue.operators)
+    if (entry.family == family && !entry.kernel.empty())
+      choices.push_back({entry.kernel, entry.summary});
+  return choices;
+}
+
+void describe_kernel(Description& d, Scenario& scenario, const Catalogue& catalogue,
+                     const std::string& family, const std::string& kernel) {
+  const auto entry = std::ranges::find_if(catalogue.operators, [&](const OperatorEntry& e) {
+    return e.family == family && e.kernel == kernel;
+  });
+  if (entry == catalogue.operators.end()) return;
+  if (!scenario.differential_operator || scenario.family != family || scenario.kernel != kernel)
+    scenario.differential_operator = entry->make(std::max<std::int64_t>(1, scenario.dimension));
+  scenario.family = family;
+  scenario.kernel = kernel;
+  if (scenario.differential_operator) scenario.differential_operator->describe(d);
+}
+
+void describe_operator(Description& d, Scenario& scenario, const Catalogue& catalogue) {
+  d.variant({"family", "what the weights of neighbours come from", true}, scenario.family,
+            families(catalogue), [&](const std::string& family) {
+              const Choices kernels = kernels_of(catalogue, family);
+              if (kernels.empty()) return describe_kernel(d, scenario, catalogue, family, "");
+              d.variant({"kernel", "smoothing kernel", true}, scenario.kernel, kernels,
+                        [&](const std::string& kernel) {
+                          describe_kernel(d, scenario, catalogue, family, kernel);
+                        });
+            });
+}
+
+void describe_time(Description& d, Scenario::Time& time, const Catalogue& catalogue) {
+  d.choice({"integrator", "how time goes on"}, time.integrator,
+           choices_of(catalogue.integrators));
+  d.number({"step", "longest time step", true}, time.step, positive);
+  d.number({"end", "time at which the run ends", true}, time.end, positive);
+}
+
+void describe_output(Description& d, Scenario::Output& output) {
+  d.number({"every", "time between snapshots; default: a tenth of the run"}, output.every,
+           positive);
+  d.count({"history", "steps between rows of history.csv; 0: ten rows a snapshot"},
+          output.history, not_negative);
+  d.flag({"picture", "whether to draw a picture at the end"}, output.picture);
+}
+
+void describe_limit(Description& d, Scenario::Limits& limits, const std::string& name,
+                    const std::string& summary) {
+  auto found =
+      std::ranges::find(limits, name, &std::pair<std::string, std::optional<double>>::first);
+  if (found == limits.end()) {
+    limits.emplace_back(name, std::nullopt);
+    found = std::prev(limits.end());
+  }
+  d.number({name, summary}, found->second, positive);
+}
+
+void describe_checks(Description& d, Scenario::Checks& checks,
+                     const std::vector<std::string>& fields) {
+  for (const auto& field : fields)
+    describe_limit(d, checks.fields, field, "largest relative L2 error at the end");
+  d.section({"drift", "largest relative drift of conserved quantities"}, [&] {
+    for (const char* quantity : {"mass", "momentum", "energy"})
+      describe_limit(d, checks.drifts, quantity, "largest relative drift");
+  });
+}
+
+void describe_check(Description& d, Scenario::Check& check, const Catalogue& catalogue) {
+  Choices solutions = choices_of(catalogue.exact_solutions);
+  solutions.push_back({"nothing", "no exact solution"});
+  d.variant({"against", "exact solution"}, check.against, solutions,
+            [&](const std::string& against) {
+              std::vector<std::string> fields;
+              if (against != "nothing")
+                fields = entry_named(catalogue.exact_solutions, against).fields;
+              describe_checks(d, check.lagrangian, fields);
+              std::erase(fields, "position");
+              d.section({"eulerian", "limits for points that stand still, in place of the others"},
+                        [&] { describe_checks(d, check.eulerian, fields); });
+            });
+}
+
+}  // namespace
+
+void describe_record(Description& d, Scenario& scenario) {
+  d.text({"version", "version of mote that resolved the file; a record"}, scenario.written_by);
+  d.count({"threads", "OpenMP threads; 0: all; --threads comes first"}, scenario.threads,
+          {0, 4096});
+}
+
+void describe(Description& d, Scenario& scenario, const Catalogue& catalogue) {
+  d.text({"name", "names the output folder and the report", true}, scenario.name);
+  d.count({"dimension", "number of space dimensions", true}, scenario.dimension, {1, 3});
+  d.choice({"units", "what the numbers mean"}, scenario.units,
+           {{"none", "the user's own units"}, {"SI", "metres, kilograms, seconds"}});
+  d.constants({"constants", "numbers that all expressions may name"}, scenario.constants);
+  d.section({"domain", "where the particles are", true},
+            [&] { describe_domain(d, scenario.domain); });
+  d.section({"particles", "how many, and how they lie", true},
+            [&] { describe_particles(d, scenario.particles, catalogue); });
+  d.section({"model", "equations of motion", true},
+            [&] { describe_model(d, scenario, catalogue); });
+  d.section({"initial", "state at the start, as expressions", true}, [&] {
+    if (scenario.model) describe_initial(d, scenario);
+  });
+  d.section({"operator", "how derivatives are formed", true},
+            [&] { describe_operator(d, scenario, catalogue); });
+  d.section({"time", "step and end", true},
+            [&] { describe_time(d, scenario.time, catalogue); });
+  d.section({"output", "what is written"}, [&] { describe_output(d, scenario.output); });
+  d.section({"check", "what the result must hold"},
+            [&] { describe_check(d, scenario.check, catalogue); });
+}
+
+}  // namespace mote

@@ -1,0 +1,101 @@
+#include "mote/scenario/scenario.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <cmath>
+#include <cstdint>
+
+#include "mote/scenario/located_error.hpp"
+#include "mote/scenario/reader.hpp"
+#include "mote/scenario/version.hpp"
+#include "mote/scenario/writer.hpp"
+
+namespace mote {
+namespace {
+
+/// Rules that no single key can state.
+void check_together(const Scenario& scenario, const Document& document) {
+  const auto refuse = [&](const std::string& key, const std::string& message) {
+    throw LocatedError(document.locate(key), message);
+  };
+  const auto dimension = static_cast<std::size_t>(scenario.dimension);
+  for (const char* corner : {"lower", "upper"}) {
+    const auto& values = corner[0] == 'l' ? scenario.domain.lower : scenario.domain.upper;
+    if (values.size() != dimension)
+      refuse(std::string("domain.") + corner,
+             fmt::format("'{}' needs {} number{}, one a dimension, and has {}", corner, dimension,
+                         dimension == 1 ? "" : "s", values.size()));
+  }
+  for (std::size_t d = 0; d < dimension; ++d)
+    if (!(scenario.domain.upper[d] > scenario.domain.lower[d]))
+      refuse("domain.upper", fmt::format("the upper corner {} must lie above the lower {}",
+                                         scenario.domain.upper[d], scenario.domain.lower[d]));
+  if (scenario.dimension != 1)
+    refuse("dimension", fmt::format("the model {} lives on a line: dimension must be 1, and is {}",
+                                    scenario.model_type, scenario.dimension));
+  if (!scenario.differential_operator)
+    refuse("operator", fmt::format("the operator {} does not exist in {} dimensions",
+                                   scenario.operator_name(), scenario.dimension));
+  const double steps = scenario.time.end / scenario.time.step;
+  if (!(steps < 1e12))
+    refuse("time.step", fmt::format("{:.3g} steps of {} to the end {} are more than 1e12", steps,
+                                    scenario.time.step, scenario.time.end));
+  if (scenario.output.every.value_or(scenario.time.end) * 1e6 < scenario.time.end)
+    refuse("output.every", fmt::format("a snapshot every {} makes more than a million of them",
+                                       *scenario.output.every));
+}
+
+/// What the defaults depend on is known only now.
+void fill_defaults(Scenario& scenario) {
+  auto& output = scenario.output;
+  if (!output.every) output.every = scenario.time.end / 10;
+  if (*output.every > scenario.time.end) output.every = scenario.time.end;
+  if (output.history == 0)
+    output.history = std::max<std::int64_t>(
+        1, static_cast<std::int64_t>(*output.every / scenario.time.step / 10));
+  if (!scenario.domain.extension)
+    scenario.domain.extension = static_cast<std::int64_t>(
+        std::ceil(scenario.differential_operator->neighbour_rule().reach()));
+}
+
+enum class Record { without, with };
+
+std::string yaml_of(Scenario& scenario, const Catalogue& catalogue, Record record) {
+  YAML::Emitter out;
+  out << YAML::BeginMap;
+  Writer writer(out);
+  describe(writer, scenario, catalogue);
+  if (record == Record::with) describe_record(writer, scenario);
+  out << YAML::EndMap;
+  return std::string(out.c_str()) + "\n";
+}
+
+}  // namespace
+
+Scenario read_scenario(const Document& document, const Catalogue& catalogue) {
+  Scenario scenario;
+  Reader reader(document);
+  describe(reader, scenario, catalogue);
+  describe_record(reader, scenario);
+  reader.finish();
+  check_together(scenario, document);
+  fill_defaults(scenario);
+  return scenario;
+}
+
+std::string resolved_yaml(Scenario& scenario, const Catalogue& catalogue) {
+  scenario.written_by = version;
+  return "# The scenario as it was run, with every default.\n" +
+         yaml_of(scenario, catalogue, Record::with);
+}
+
+std::string fingerprint(Scenario& scenario, const Catalogue& catalogue) {
+  // FNV-1a, 64 bits: tells files apart, protects against nothing.
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const unsigned char c : yaml_of(scenario, catalogue, Record::without))
+    hash = (hash ^ c) * 0x100000001b3u;
+  return fmt::format("{:016x}", hash);
+}
+
+}  // namespace mote

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mote/catalogue/catalogue.hpp"
+#include "mote/options/description.hpp"
+#include "mote/scenario/document.hpp"
+#include "mote/scenario/expression.hpp"
+
+namespace mote {
+
+/// One YAML file, checked, with every default filled in.
+struct Scenario {
+  std::string written_by;    ///< version of mote that resolved the file; a record
+  std::int64_t threads = 0;  ///< 0: as many as the machine has
+
+  std::string name;
+  std::int64_t dimension = 0;
+  std::string units = "none";
+  std::vector<std::pair<std::string, double>> constants;
+
+  struct Domain {
+    std::vector<double> lower, upper;
+    std::string boundary = "zero_gradient";
+    std::optional<std::int64_t> extension;  ///< cells beyond each end
+  } domain;
+
+  struct Particles {
+    std::string layout = "regular";
+    std::int64_t count = 0;
+    std::int64_t seed = 0;
+  } particles;
+
+  std::string model_type;
+  std::unique_ptr<ModelRecipe> model;
+  std::vector<std::pair<std::string, std::string>> initial;  ///< field, expression
+
+  std::string family, kernel;
+  std::unique_ptr<AnyOperator> differential_operator;
+
+  struct Time {
+    std::string integrator = "velocity_verlet";
+    double step = 0;
+    double end = 0;
+  } time;
+
+  struct Output {
+    std::optional<double> every;  ///< time between snapshots
+    std::int64_t history = 0;     ///< steps between rows of history.csv
+    bool picture = true;
+  } output;
+
+  /// Limits by name; a name without a limit is not checked.
+  using Limits = std::vector<std::pair<std::string, std::optional<double>>>;
+  struct Checks {
+    Limits fields;  ///< relative L2 errors at the end
+    Limits drifts;  ///< relative drifts of conserved quantities
+  };
+  struct Check {
+    std::string against = "nothing";
+    Checks lagrangian;  ///< for points that move with the material
+    Checks eulerian;    ///< for points that stand still
+  } check;
+
+  std::string operator_name() const { return kernel.empty() ? family : family + "." + kernel; }
+  Constants constants_by_name() const { return {constants.begin(), constants.end()}; }
+};
+
+/// Says what a scenario file holds, but for version and threads; the entries come from the
+/// catalogue.
+void describe(Description& description, Scenario& scenario, const Catalogue& catalogue);
+
+/// Says how a scenario was run: the keys `version` and `threads`.
+void describe_record(Description& description, Scenario& scenario);
+
+/// Reads and checks a document. Throws LocatedError.
+Scenario read_scenario(const Document& document, const Catalogue& catalogue);
+
+/// The scenario as YAML with every default, version and threads. Reading the result gives the
+/// same scenario.
+std::string resolved_yaml(Scenario& scenario, const Catalogue& catalogue);
+
+/// A number that tells resolved scenarios apart, whatever version and threads they ran with.
+std::string fingerprint(Scenario& scenario, const Catalogue& catalogue);
+
+}  // namespace mote

@@ -1,0 +1,125 @@
+#include "mote/scenario/schema.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "mote/scenario/scenario.hpp"
+
+namespace mote {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Collects described keys as a JSON Schema object. Numbers may be written as expressions.
+class SchemaWriter final : public Description {
+ public:
+  explicit SchemaWriter(Json& object) : object_(&object) { open(); }
+
+  void number(const Key& key, double& value, Range range) override {
+    add(key, numeric("number", range), Json(value));
+  }
+  void number(const Key& key, std::optional<double>& value, Range range) override {
+    add(key, numeric("number", range), value ? Json(*value) : Json());
+  }
+  void count(const Key& key, std::int64_t& value, Range range) override {
+    add(key, numeric("integer", range), Json(value));
+  }
+  void count(const Key& key, std::optional<std::int64_t>& value, Range range) override {
+    add(key, numeric("integer", range), value ? Json(*value) : Json());
+  }
+  void flag(const Key& key, bool& value) override {
+    add(key, {{"type", "boolean"}}, Json(value));
+  }
+  void text(const Key& key, std::string& value) override {
+    add(key, {{"type", "string"}, {"minLength", 1}}, Json(value));
+  }
+  void numbers(const Key& key, std::vector<double>&) override {
+    add(key, {{"type", "array"}, {"items", numeric("number", {})}}, Json());
+  }
+  void expression(const Key& key, std::string& value) override {
+    add(key, {{"type", {"number", "string"}}}, Json(value));
+  }
+  void choice(const Key& key, std::string& value, const Choices& choices) override {
+    Json words = Json::array();
+    for (const Choice& choice : choices)
+      words.push_back({{"const", choice.name}, {"description", choice.summary}});
+    add(key, {{"oneOf", words}}, Json(value));
+  }
+
+  void variant(const Key& key, std::string& value, const Choices& choices,
+               const std::function<void(const std::string&)>& rest) override {
+    choice(key, value, choices);
+    Json* outer = object_;
+    for (const Choice& choice : choices) {
+      Json alternative;
+      alternative["if"] = {{"properties", {{key.name, {{"const", choice.name}}}}},
+                           {"required", {key.name}}};
+      object_ = &alternative["then"];
+      rest(choice.name);
+      if (!alternative["then"].is_null()) (*outer)["allOf"].push_back(alternative);
+    }
+    object_ = outer;
+    if (short_form_ != nullptr) *short_form_ = true;
+  }
+
+  void section(const Key& key, const std::function<void()>& body) override {
+    Json* outer = object_;
+    bool* outer_short_form = short_form_;
+    bool has_short_form = false;
+    Json nested;
+    object_ = &nested;
+    short_form_ = &has_short_form;
+    open();
+    body();
+    object_ = outer;
+    short_form_ = outer_short_form;
+    if (has_short_form)
+      nested = {{"anyOf", {{{"type", "string"}, {"minLength", 1}}, nested}}};
+    add(key, nested, Json());
+  }
+
+  void constants(const Key& key, std::vector<std::pair<std::string, double>>&) override {
+    add(key, {{"type", "object"}, {"additionalProperties", numeric("number", {})}}, Json());
+  }
+
+ private:
+  void open() {
+    (*object_)["type"] = "object";
+    (*object_)["unevaluatedProperties"] = false;
+  }
+
+  void add(const Key& key, Json schema, const Json& default_value) {
+    schema["description"] = key.summary;
+    const bool has_default = !default_value.is_null() && default_value != Json("");
+    if (has_default && !key.required) schema["default"] = default_value;
+    (*object_)["properties"][key.name] = schema;
+    if (key.required) (*object_)["required"].push_back(key.name);
+  }
+
+  static Json numeric(const char* type, const Range& range) {
+    Json schema = {{"type", {type, "string"}}};
+    if (std::isfinite(range.lower))
+      schema[range.open ? "exclusiveMinimum" : "minimum"] = range.lower;
+    if (std::isfinite(range.upper)) schema["maximum"] = range.upper;
+    return schema;
+  }
+
+  Json* object_;
+  bool* short_form_ = nullptr;  ///< set when the open section has a variant
+};
+
+}  // namespace
+
+std::string scenario_schema(const Catalogue& catalogue) {
+  Json schema;
+  schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
+  schema["title"] = "mote scenario";
+  SchemaWriter writer(schema);
+  Scenario scenario;
+  describe(writer, scenario, catalogue);
+  describe_record(writer, scenario);
+  return schema.dump(2);
+}
+
+}  // namespace mote

@@ -1,0 +1,63 @@
+#include "mote/scenario/writer.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+namespace mote {
+
+void Writer::entry(const std::string& key, const std::string& word) {
+  out_ << YAML::Key << key << YAML::Value << word;
+}
+
+void Writer::number(const Key& key, double& value, Range) {
+  entry(key.name, fmt::format("{}", value));
+}
+
+void Writer::number(const Key& key, std::optional<double>& value, Range range) {
+  if (value) number(key, *value, range);
+}
+
+void Writer::count(const Key& key, std::int64_t& value, Range) {
+  entry(key.name, fmt::format("{}", value));
+}
+
+void Writer::count(const Key& key, std::optional<std::int64_t>& value, Range range) {
+  if (value) count(key, *value, range);
+}
+
+void Writer::flag(const Key& key, bool& value) { entry(key.name, value ? "true" : "false"); }
+
+void Writer::text(const Key& key, std::string& value) {
+  out_ << YAML::Key << key.name << YAML::Value << YAML::DoubleQuoted << value;
+}
+
+void Writer::numbers(const Key& key, std::vector<double>& values) {
+  out_ << YAML::Key << key.name << YAML::Value << YAML::Flow << YAML::BeginSeq;
+  for (const double value : values) out_ << fmt::format("{}", value);
+  out_ << YAML::EndSeq;
+}
+
+void Writer::expression(const Key& key, std::string& value) { text(key, value); }
+
+void Writer::choice(const Key& key, std::string& value, const Choices&) { entry(key.name, value); }
+
+void Writer::variant(const Key& key, std::string& value, const Choices& choices,
+                     const std::function<void(const std::string&)>& rest) {
+  choice(key, value, choices);
+  rest(value);
+}
+
+void Writer::section(const Key& key, const std::function<void()>& body) {
+  out_ << YAML::Key << key.name << YAML::Value << YAML::BeginMap;
+  body();
+  out_ << YAML::EndMap;
+}
+
+void Writer::constants(const Key& key, std::vector<std::pair<std::string, double>>& values) {
+  if (values.empty()) return;
+  section(key, [&] {
+    for (auto& [name, value] : values) number({name, ""}, value, {});
+  });
+}
+
+}  // namespace mote
