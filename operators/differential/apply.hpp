@@ -11,7 +11,7 @@ namespace mote {
 /// The room belongs to the thread and is kept, so nothing is allocated after the first call.
 template <class Weight, class Row>
 void for_each_row(const NeighbourLists& lists, Row row) {
-#pragma omp parallel
+#pragma omp parallel if (parallel_from <= lists.receivers())
   {
     static thread_local std::vector<Weight> room;
 #pragma omp for schedule(static)

@@ -39,7 +39,7 @@ class Mps final : public DifferentialOperator<D> {
     lists_ = &lists;
     number_density_.resize(static_cast<std::size_t>(points.receivers));
     lambda_.resize(static_cast<std::size_t>(points.receivers));
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (parallel_from <= points.receivers)
     for (Index i = 0; i < points.receivers; ++i) {
       double n = 0, moment = 0;
       for (const Index j : lists[i]) {

@@ -41,7 +41,7 @@ class Sph final : public DifferentialOperator<D> {
     points_ = &points;
     lists_ = &lists;
     density_gradient_.resize(static_cast<std::size_t>(points.receivers));
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (parallel_from <= points.receivers)
     for (Index i = 0; i < points.receivers; ++i) {
       Vec<D> sum = Vec<D>::Zero();
       for (const Index j : lists[i]) {

@@ -75,15 +75,17 @@ std::string RunLoop::failure_message(const std::string& what, const std::vector<
 int RunLoop::conclude(Certificate certificate) {
   if (!certificate.failure && simulation_.exact() != nullptr)
     folder_.write_table("exact.csv", simulation_.exact()->curve(now_.time));
+  write_file(folder_.file("summary.json"), summary_json(certificate));
   std::string picture;
   if (simulation_.scenario().output.picture) {
     const std::string problem = draw_picture(shared_folder(), folder_.path());
-    if (problem.empty())
+    if (problem.empty()) {
       picture = "fields.png";
-    else
+    } else {
       certificate.warnings.push_back("no picture: " + problem);
+      write_file(folder_.file("summary.json"), summary_json(certificate));
+    }
   }
-  write_file(folder_.file("summary.json"), summary_json(certificate));
   write_file(folder_.file("report.md"), report_markdown(certificate, picture));
   for (const auto& warning : certificate.warnings) fmt::print(stderr, "{}\n", warning);
   if (certificate.failure)

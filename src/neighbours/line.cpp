@@ -50,13 +50,13 @@ void LineSearch::find(const Points<1>& points, const NeighbourRule& rule, Neighb
   sort(points);
   const Index size = points.size();
   lists.start.assign(static_cast<std::size_t>(points.receivers) + 1, 0);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (parallel_from <= size)
   for (Index rank = 0; rank < size; ++rank)
     if (order_[rank] < points.receivers)
       lists.start[order_[rank] + 1] = visit(points, rule, rank, [](Index, Index) {});
   std::partial_sum(lists.start.begin(), lists.start.end(), lists.start.begin());
   lists.neighbour.resize(static_cast<std::size_t>(lists.start.back()));
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (parallel_from <= size)
   for (Index rank = 0; rank < size; ++rank) {
     if (order_[rank] >= points.receivers) continue;
     Index* list = lists.neighbour.data() + lists.start[order_[rank]];

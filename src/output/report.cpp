@@ -35,6 +35,7 @@ void add_errors(Out out, const Certificate& c) {
 }
 
 void add_conservation(Out out, const Certificate& c) {
+  if (c.conservation.empty()) return;
   fmt::format_to(out,
                  "\n## Conservation\n\n| quantity | start | end | relative drift |\n"
                  "|---|---|---|---|\n");

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "mote/particles/parallel.hpp"
 #include "mote/particles/vector.hpp"
 
 namespace mote {

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "mote/operators/kernels/all.hpp"
+
+namespace mote::test {
+
+/// One kernel of the list in one dimension.
+template <template <int> class K, int D>
+struct KernelCase {
+  using Kernel = K<D>;
+  static constexpr int dimension = D;
+};
+
+template <class List>
+struct CasesOf;
+
+template <template <int> class... K>
+struct CasesOf<KernelList<K...>> {
+  using type = testing::Types<KernelCase<K, 1>..., KernelCase<K, 2>..., KernelCase<K, 3>...>;
+};
+
+/// Every kernel of mote in every dimension.
+using KernelCases = CasesOf<Kernels>::type;
+
+struct KernelCaseName {
+  template <class Case>
+  static std::string GetName(int) {
+    return std::string(Case::Kernel::name) + "_" + std::to_string(Case::dimension) + "d";
+  }
+};
+
+}  // namespace mote::test

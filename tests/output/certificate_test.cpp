@@ -1,0 +1,65 @@
+#include "mote/output/certificate.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace mote {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(ErrorNorms, AreRelativeToTheReference) {
+  const std::vector<double> values{1, 2, 3}, reference{1, 1, 5};
+  const ErrorNorms error = error_norms("f", values, reference);
+  EXPECT_DOUBLE_EQ(error.l1, 3.0 / 7);
+  EXPECT_DOUBLE_EQ(error.l2, std::sqrt(5.0 / 27));
+  EXPECT_DOUBLE_EQ(error.max, 2.0 / 5);
+  EXPECT_EQ(error.compared, 3);
+}
+
+TEST(ErrorNorms, AreAbsoluteWhereTheReferenceIsZero) {
+  const std::vector<double> values{3, 4}, reference{0, 0};
+  EXPECT_DOUBLE_EQ(error_norms("f", values, reference).l2, 5);
+}
+
+TEST(ErrorNorms, LeaveOutAndCountWhatHasNoReference) {
+  const std::vector<double> values{3, 4}, reference{NAN, 4};
+  const ErrorNorms error = error_norms("f", values, reference);
+  EXPECT_EQ(error.l2, 0);
+  EXPECT_EQ(error.compared, 1);
+}
+
+TEST(ErrorNorms, OfWhatIsNotANumberIsNotANumber) {
+  const std::vector<double> values{NAN, 4}, reference{3, 4};
+  EXPECT_TRUE(std::isnan(error_norms("f", values, reference).l2));
+}
+
+TEST(Drifts, AreRelativeToTheScale) {
+  const auto result = drifts({{"mass", 2, 2}, {"momentum", 0, 0}}, {{"mass", 3, 3}, {"momentum", 1, 4}});
+  EXPECT_DOUBLE_EQ(result[0].drift, 1.0 / 3);
+  EXPECT_DOUBLE_EQ(result[1].drift, 0.25);
+}
+
+TEST(CheckResult, OfWhatIsNotANumberFails) {
+  EXPECT_TRUE((CheckResult{"a", 1, 1}.passed()));
+  EXPECT_FALSE((CheckResult{"a", 1.1, 1}.passed()));
+  EXPECT_FALSE((CheckResult{"a", NAN, 1}.passed()));
+}
+
+TEST(Certificate, PassesOnlyIfEveryCheckDoesAndNothingFailed) {
+  Certificate certificate;
+  certificate.checks = {{"a", 0.5, 1}};
+  EXPECT_TRUE(certificate.passed());
+  certificate.checks.push_back({"b", 2, 1});
+  EXPECT_FALSE(certificate.passed());
+  certificate.checks.pop_back();
+  certificate.failure = "step 3: broken";
+  EXPECT_FALSE(certificate.passed());
+  EXPECT_THAT(report_markdown(certificate, ""), HasSubstr("step 3: broken"));
+  EXPECT_EQ(nlohmann::json::parse(summary_json(certificate))["passed"], false);
+}
+
+}  // namespace
+}  // namespace mote

@@ -1,0 +1,74 @@
+#include "mote/output/snapshot.hpp"
+
+#include <gmock/gmock.h>
+
+#include "mote/output/tables.hpp"
+#include "mote/particles/failure.hpp"
+#include "support/program.hpp"
+
+namespace mote {
+namespace {
+
+/// Three particles in `dimension` dimensions, every number another one.
+Cloud cloud_in(int dimension) {
+  Cloud cloud(dimension, 3);
+  cloud.add("velocity", FieldKind::vector, "m/s");
+  cloud.add("density", FieldKind::scalar, "kg/m3");
+  cloud.add("nothing", FieldKind::scalar, "");
+  double next = 1.0 / 3;
+  for (const Field& field : cloud.fields())
+    for (double& value : cloud.values(field.name)) value = next += 1.0 / 7;
+  return cloud;
+}
+
+void expect_equal(const Cloud& a, const Cloud& b) {
+  ASSERT_EQ(a.fields().size(), b.fields().size());
+  for (std::size_t f = 0; f < a.fields().size(); ++f) {
+    EXPECT_EQ(a.fields()[f].name, b.fields()[f].name);
+    EXPECT_EQ(a.fields()[f].kind, b.fields()[f].kind);
+    EXPECT_EQ(a.fields()[f].si_unit, b.fields()[f].si_unit);
+    EXPECT_EQ(a.fields()[f].values, b.fields()[f].values);
+  }
+}
+
+class Snapshots : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Dimensions, Snapshots, testing::Values(1, 2, 3));
+
+TEST_P(Snapshots, ReadBackWhatWasWritten) {
+  const test::TemporaryFolder folder;
+  const Cloud cloud = cloud_in(GetParam());
+  write_snapshot(folder / "a.hdf", {4, 50, 0.1}, "me", cloud);
+  const Snapshot read = read_snapshot(folder / "a.hdf");
+  EXPECT_EQ(read.moment.frame, 4);
+  EXPECT_EQ(read.moment.step, 50);
+  EXPECT_EQ(read.moment.time, 0.1);
+  EXPECT_EQ(read.fingerprint, "me");
+  expect_equal(read.cloud, cloud);
+  EXPECT_FALSE(test::fs::exists(folder / "a.hdf.part"));
+}
+
+TEST_P(Snapshots, OfEqualStatesHaveEqualBytes) {
+  const test::TemporaryFolder folder;
+  Cloud cloud = cloud_in(GetParam());
+  write_snapshot(folder / "a.hdf", {4, 50, 0.1}, "me", cloud);
+  write_snapshot(folder / "b.hdf", {4, 50, 0.1}, "me", cloud);
+  EXPECT_EQ(test::read(folder / "a.hdf"), test::read(folder / "b.hdf"));
+  cloud.values("density")[1] *= 1 + 1e-15;
+  write_snapshot(folder / "c.hdf", {4, 50, 0.1}, "me", cloud);
+  EXPECT_NE(test::read(folder / "a.hdf"), test::read(folder / "c.hdf"));
+}
+
+TEST(Snapshot, ThatIsCutShortIsRefused) {
+  const test::TemporaryFolder folder;
+  write_snapshot(folder / "a.hdf", {}, "me", cloud_in(2));
+  test::fs::resize_file(folder / "a.hdf", 3000);
+  EXPECT_THROW(read_snapshot(folder / "a.hdf"), InputError);
+}
+
+TEST(Csv, NamesComponentsByAxis) {
+  const std::string text = csv_of(cloud_in(2));
+  EXPECT_THAT(text, testing::StartsWith("id,x,y,velocity_x,velocity_y,density,nothing\n0,0.4761904"));
+}
+
+}  // namespace
+}  // namespace mote
