@@ -73,8 +73,9 @@ std::string RunLoop::failure_message(const std::string& what, const std::vector<
 }
 
 int RunLoop::conclude(Certificate certificate) {
-  if (!certificate.failure && simulation_.exact() != nullptr)
-    folder_.write_table("exact.csv", simulation_.exact()->curve(now_.time));
+  const double drawn = simulation_.plan().time_of_frame(now_.frame);
+  if (simulation_.exact() != nullptr)
+    folder_.write_table("exact.csv", simulation_.exact()->curve(drawn));
   write_file(folder_.file("summary.json"), summary_json(certificate));
   std::string picture;
   if (simulation_.scenario().output.picture) {

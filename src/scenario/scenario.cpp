@@ -14,11 +14,18 @@
 namespace mote {
 namespace {
 
+constexpr const char* name_characters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
+
 /// Rules that no single key can state.
 void check_together(const Scenario& scenario, const Document& document) {
   const auto refuse = [&](const std::string& key, const std::string& message) {
     throw LocatedError(document.locate(key), message);
   };
+  if (scenario.name.find_first_not_of(name_characters) != std::string::npos ||
+      scenario.name.starts_with('.'))
+    refuse("name", fmt::format("'{}' cannot name a folder: letters, digits, '_', '-' and '.' can",
+                               scenario.name));
   const auto dimension = static_cast<std::size_t>(scenario.dimension);
   for (const char* corner : {"lower", "upper"}) {
     const auto& values = corner[0] == 'l' ? scenario.domain.lower : scenario.domain.upper;
