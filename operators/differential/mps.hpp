@@ -73,8 +73,7 @@ class Mps final : public DifferentialOperator<D> {
     return (points_->at(i) - points_->at(j)).squaredNorm();
   }
   double weight(Index i, Index j) const {
-    const double h =
-        smoothing_length * pair_length(length, points_->length[i], points_->length[j]);
+    const double h = smoothing_length * pair_length(length, points_->length[i], points_->length[j]);
     return Weight::value(std::sqrt(squared_distance(i, j)) / h);
   }
 

@@ -67,9 +67,9 @@ class Sph final : public DifferentialOperator<D> {
       const Pair pair = make_pair(i, list[k]);
       const double curvature = kernel.curvature(pair.q) * pair.scale;
       const double slope = slope_over_r(pair);
-      weights[k] = points_->mass[list[k]] / rho *
-                   (curvature + (D - 1) * slope -
-                    2 / rho * slope * pair.x.dot(density_gradient_[i]));
+      weights[k] =
+          points_->mass[list[k]] / rho *
+          (curvature + (D - 1) * slope - 2 / rho * slope * pair.x.dot(density_gradient_[i]));
     }
   }
 
@@ -81,8 +81,7 @@ class Sph final : public DifferentialOperator<D> {
   };
 
   Pair make_pair(Index i, Index j) const {
-    const double h =
-        smoothing_length * pair_length(length, points_->length[i], points_->length[j]);
+    const double h = smoothing_length * pair_length(length, points_->length[i], points_->length[j]);
     const Vec<D> x = points_->at(i) - points_->at(j);
     double volume = h;
     for (int d = 1; d < D; ++d) volume *= h;

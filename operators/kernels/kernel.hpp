@@ -28,7 +28,9 @@ concept SmoothingKernel = requires(const K kernel, double q) {
 
 /// A kernel may have options of its own; it then says so with `describe`.
 template <class K>
-concept HasOptions = requires(K kernel, Description& description) { kernel.describe(description); };
+concept HasOptions = requires(K kernel, Description& description) {
+  kernel.describe(description);
+};
 
 /// Whether q lies in the support. The rim counts as inside: a neighbour exactly there keeps its
 /// curvature although its distance is rounded (ERRATA on (90)).

@@ -42,16 +42,17 @@ class WindowedGauss {
   WindowedGauss() { normalise(); }
 
   double support() const { return cutoff_; }
-  double value(double q) const { return inside(q, cutoff_) ? bell(q) * Window::value(q, cutoff_) : 0; }
+  double value(double q) const {
+    return inside(q, cutoff_) ? bell(q) * Window::value(q, cutoff_) : 0;
+  }
   double slope_over_q(double q) const {
     if (!inside(q, cutoff_)) return 0;
     return bell(q) * (Window::slope_over_q(q, cutoff_) - Window::value(q, cutoff_));
   }
   double curvature(double q) const {
     if (!inside(q, cutoff_)) return 0;
-    return bell(q) *
-           (Window::curvature(q, cutoff_) - 2 * q * q * Window::slope_over_q(q, cutoff_) +
-            (q * q - 1) * Window::value(q, cutoff_));
+    return bell(q) * (Window::curvature(q, cutoff_) - 2 * q * q * Window::slope_over_q(q, cutoff_) +
+                      (q * q - 1) * Window::value(q, cutoff_));
   }
 
   void describe(Description& description) {

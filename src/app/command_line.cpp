@@ -1,13 +1,18 @@
 #include "mote/app/command_line.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <exception>
+#include <algorithm>
+#include <filesystem>
+#include <new>
 
 #include "mote/app/commands.hpp"
+#include "mote/app/one_line.hpp"
 #include "mote/particles/failure.hpp"
 #include "mote/scenario/located_error.hpp"
+#include "mote/scenario/suggestion.hpp"
 #include "mote/scenario/version.hpp"
 
 namespace mote {
@@ -53,8 +58,8 @@ class Commands {
     export_command->add_option("--to", export_.to, "file to write, .csv or .vtp")->required();
     export_command->add_flag("--overwrite", export_.overwrite, "replace the file");
 
-    CLI::App* list_command = add(app, "list", "what a scenario can name",
-                                 [this] { return list(catalogue_, what_); });
+    CLI::App* list_command =
+        add(app, "list", "what a scenario can name", [this] { return list(catalogue_, what_); });
     list_command->add_option("what", what_, "which list")
         ->required()
         ->check(CLI::IsMember(listable()));
@@ -80,8 +85,26 @@ class Commands {
   int exit_code_ = 0;
 };
 
+/// A first argument that is no command, told before the options confuse the matter.
+void refuse_unknown_command(const CLI::App& app, int argc, const char* const* argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (std::ranges::find(names, argv[1]) != names.end()) return;
+  throw InputError(fmt::format("unknown command '{}'{}; there are: {}", argv[1],
+                               suggestion(argv[1], names), fmt::join(names, ", ")));
+}
+
+/// The same for a first option.
+void refuse_unknown_option(int argc, const char* const* argv) {
+  if (argc < 2 || argv[1][0] != '-') return;
+  const std::string option = argv[1];
+  if (option != "--help" && option != "-h" && option != "--version")
+    throw InputError(fmt::format("unknown option '{}' before the command", option));
+}
+
 int bad_input(const std::string& message) {
-  fmt::print(stderr, "{}\n", message);
+  fmt::print(stderr, "{}\n", one_line(message));
   return 2;
 }
 
@@ -93,6 +116,8 @@ int command_line(const Catalogue& catalogue, int argc, const char* const* argv) 
   app.require_subcommand(1);
   Commands commands(app, catalogue);
   try {
+    refuse_unknown_command(app, argc, argv);
+    refuse_unknown_option(argc, argv);
     app.parse(argc, argv);
     return commands.exit_code();
   } catch (const CLI::Success& asked_for_help) {
@@ -107,6 +132,8 @@ int command_line(const Catalogue& catalogue, int argc, const char* const* argv) 
     fmt::print(stderr, "mote: numerical failure: {}. Likely cause: {}\n", error.what(),
                error.cause());
     return 3;
+  } catch (const std::filesystem::filesystem_error& error) {
+    return bad_input(fmt::format("mote: {}: {}", error.path1().string(), error.code().message()));
   } catch (const std::bad_alloc&) {
     return bad_input("mote: this needs more memory than the machine has");
   }

@@ -9,11 +9,11 @@
 
 namespace mote {
 
-/// Options of `mote run` and `mote check`.
+/// Options of `mote run`, `mote check` and `mote resume`.
 struct RunOptions {
   std::string file;
   std::vector<std::string> assignments;  ///< of --set, `key.path=value`
-  std::string out;                       ///< empty: a new folder below `results`
+  std::optional<std::string> out;        ///< none: a new folder below `results`
   int threads = 0;                       ///< 0: the scenario's, or all there are
   bool overwrite = false;
   bool quiet = false;

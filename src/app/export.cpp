@@ -23,8 +23,8 @@ std::int64_t frame_number(const OutputFolder& folder, const std::string& frame) 
   if (error != std::errc{} || end != frame.data() + frame.size())
     throw InputError(fmt::format("--frame {}: this must be a number or 'last'", frame));
   if (std::find(frames.begin(), frames.end(), number) == frames.end())
-    throw InputError(fmt::format("--frame {}: there are the frames {} to {}", frame,
-                                 frames.front(), frames.back()));
+    throw InputError(fmt::format("--frame {}: there are the frames {} to {}", frame, frames.front(),
+                                 frames.back()));
   return number;
 }
 
@@ -34,11 +34,13 @@ int export_frame(const ExportOptions& options) {
   const std::filesystem::path to = options.to;
   if (to.extension() != ".csv" && to.extension() != ".vtp")
     throw InputError(fmt::format("--to {}: the file must end in .csv or .vtp", options.to));
-  if (std::filesystem::exists(to) && !options.overwrite)
+  std::error_code error;
+  if (std::filesystem::is_directory(to, error))
+    throw InputError(fmt::format("{}: this is a folder, not a file", options.to));
+  if (std::filesystem::exists(to, error) && !options.overwrite)
     throw InputError(fmt::format("{}: this file exists; --overwrite replaces it", options.to));
   const OutputFolder folder = OutputFolder::open(options.folder);
-  const Snapshot snapshot =
-      read_snapshot(folder.snapshot(frame_number(folder, options.frame)));
+  const Snapshot snapshot = folder.read_frame(frame_number(folder, options.frame));
   if (to.extension() == ".csv")
     write_file(to, csv_of(snapshot.cloud));
   else

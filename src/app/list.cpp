@@ -12,11 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-template <class Entry>
-Choices choices_of(const std::vector<Entry>& entries) {
-  return {entries.begin(), entries.end()};
-}
-
 Choices operators(const Catalogue& catalogue) {
   Choices choices;
   for (const OperatorEntry& entry : catalogue.operators)
@@ -29,15 +24,15 @@ Choices scenarios() {
   Choices choices;
   const fs::path root = shared_folder() / "scenarios";
   if (!fs::exists(root)) return choices;
-  for (const auto& entry : fs::recursive_directory_iterator(
-           root, fs::directory_options::follow_directory_symlink)) {
+  for (const auto& entry :
+       fs::recursive_directory_iterator(root, fs::directory_options::follow_directory_symlink)) {
     if (entry.path().extension() != ".yaml") continue;
     std::string comment;
     std::getline(std::ifstream(entry.path()) >> std::ws, comment);
     const auto text = comment.find_first_not_of("# ");
-    choices.push_back({fs::relative(entry.path(), root).replace_extension().string(),
-                       comment.starts_with('#') && text != std::string::npos ? comment.substr(text)
-                                                                             : ""});
+    choices.push_back(
+        {fs::relative(entry.path(), root).replace_extension().string(),
+         comment.starts_with('#') && text != std::string::npos ? comment.substr(text) : ""});
   }
   std::ranges::sort(choices, {}, &Choice::name);
   return choices;

@@ -4,16 +4,14 @@
 #include <omp.h>
 #include <unistd.h>
 
+#include "mote/particles/failure.hpp"
 #include "mote/scenario/located_error.hpp"
 
 namespace mote {
 namespace {
 
-/// A particle of a line takes this many bytes: its fields, rates, work arrays and neighbours.
-constexpr double bytes_a_particle = 400;
-
 void refuse_what_does_not_fit(const Document& document, const Scenario& scenario) {
-  const double needed = bytes_a_particle * static_cast<double>(scenario.particles.count);
+  const double needed = bytes_needed(scenario);
   const double there =
       static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   if (needed > there)
@@ -24,7 +22,13 @@ void refuse_what_does_not_fit(const Document& document, const Scenario& scenario
 
 }  // namespace
 
+double bytes_needed(const Scenario& scenario) {
+  constexpr double bytes_a_particle = 400;
+  return bytes_a_particle * static_cast<double>(scenario.particles.count);
+}
+
 Simulation prepare_simulation(const Catalogue& catalogue, const RunOptions& options) {
+  if (options.file.empty()) throw InputError("the scenario's file must have a name");
   Document document = Document::from_file(options.file);
   for (const std::string& assignment : options.assignments) document.set(assignment);
   Scenario scenario = read_scenario(document, catalogue);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "mote/app/one_line.hpp"
 #include "mote/app/shared_folder.hpp"
 #include "mote/output/files.hpp"
 #include "mote/output/picture.hpp"
@@ -65,8 +66,8 @@ std::string RunLoop::failure_message(const std::string& what, const std::vector<
   const Index count = simulation_.model().cloud().count();
   for (Index i = std::max(0, particles.front() - 1); i <= std::min(count - 1, particles.back() + 1);
        ++i)
-    neighbourhood += fmt::format("{}{} at {:.6g}", neighbourhood.empty() ? "" : ", ", i,
-                                 position[i]);
+    neighbourhood +=
+        fmt::format("{}{} at {:.6g}", neighbourhood.empty() ? "" : ", ", i, position[i]);
   return fmt::format(
       "step {}, t = {:.6g}: {}. Likely cause: {}. Particles there: {}. Last good snapshot: {}",
       now_.step, now_.time, what, cause, neighbourhood, folder_.snapshot(now_.frame).string());
@@ -88,9 +89,10 @@ int RunLoop::conclude(Certificate certificate) {
     }
   }
   write_file(folder_.file("report.md"), report_markdown(certificate, picture));
-  for (const auto& warning : certificate.warnings) fmt::print(stderr, "{}\n", warning);
+  for (const auto& warning : certificate.warnings) fmt::print(stderr, "{}\n", one_line(warning));
   if (certificate.failure)
-    fmt::print(stderr, "{}: numerical failure at {}\n", certificate.name, *certificate.failure);
+    fmt::print(stderr, "{}: numerical failure at {}\n", certificate.name,
+               one_line(*certificate.failure));
   if (style_ != Progress::Style::quiet) print_outcome(certificate, picture);
   if (certificate.failure) return 3;
   return certificate.passed() ? 0 : 1;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "mote/particles/failure.hpp"
@@ -12,11 +13,6 @@
 
 namespace mote {
 namespace {
-
-template <class Entry>
-const Entry& entry_named(const std::vector<Entry>& entries, const std::string& name) {
-  return *std::ranges::find(entries, name, &Entry::name);
-}
 
 /// The scenario's initial expressions as a function, with an error where one has no value.
 InitialValue initial_value(const Scenario& scenario) {
@@ -27,7 +23,8 @@ InitialValue initial_value(const Scenario& scenario) {
     const double value = expressions->find(field)->second({.x = x});
     if (!std::isfinite(value))
       throw InputError("initial." + std::string(field),
-                       fmt::format("'{}' is {} at x = {:.6g}", field, value, x));
+                       fmt::format("'{}' is {} at x = {:.6g}", field,
+                                   std::isnan(value) ? "not a number" : fmt::to_string(value), x));
     return value;
   };
 }
@@ -39,14 +36,15 @@ LineSetup line_setup(Scenario& scenario, const Catalogue& catalogue) {
   setup.extension = *scenario.domain.extension;
   setup.initial = initial_value(scenario);
   const auto& layout = entry_named(catalogue.layouts, scenario.particles.layout);
-  setup.cells = layout.cells(setup.lower, setup.upper,
-                             static_cast<Index>(scenario.particles.count),
+  setup.cells = layout.cells(setup.lower, setup.upper, static_cast<Index>(scenario.particles.count),
                              static_cast<std::uint64_t>(scenario.particles.seed));
-  if (std::ranges::min(setup.cells.length) <= 0)
-    throw InputError("particles.count", fmt::format("{} particles between {} and {} lie closer "
-                                                    "than numbers can tell",
-                                                    scenario.particles.count, setup.lower,
-                                                    setup.upper));
+  const double resolution = 16 * std::numeric_limits<double>::epsilon() *
+                            std::max(std::abs(setup.lower), std::abs(setup.upper));
+  if (std::ranges::min(setup.cells.length) <= resolution)
+    throw InputError("particles.count",
+                     fmt::format("{} particles between {} and {} lie closer "
+                                 "than numbers can tell",
+                                 scenario.particles.count, setup.lower, setup.upper));
   setup.differential_operator.reset(
       dynamic_cast<DifferentialOperator<1>*>(scenario.differential_operator.release()));
   return setup;
@@ -93,8 +91,8 @@ void Simulation::build(const Document& document, const Catalogue& catalogue) {
 void Simulation::make_exact(const Catalogue& catalogue) {
   const std::string& against = scenario_.check.against;
   if (against == "nothing") return;
-  exact_ = entry_named(catalogue.exact_solutions, against)
-               .make(model_->cloud(), model_->parameters());
+  exact_ =
+      entry_named(catalogue.exact_solutions, against).make(model_->cloud(), model_->parameters());
   if (scenario_.time.end >= exact_->valid_until())
     throw InputError("time.end",
                      fmt::format("the exact solution {} ends at t = {:.6g}, before the run does "

@@ -27,8 +27,7 @@ std::int64_t TimePlan::steps_to(std::int64_t frame) const {
 }
 
 double TimePlan::step_to(std::int64_t frame) const {
-  return (time_of_frame(frame) - time_of_frame(frame - 1)) /
-         static_cast<double>(steps_to(frame));
+  return (time_of_frame(frame) - time_of_frame(frame - 1)) / static_cast<double>(steps_to(frame));
 }
 
 double TimePlan::time(std::int64_t frame, std::int64_t step) const {

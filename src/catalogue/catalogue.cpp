@@ -8,12 +8,10 @@ namespace mote {
 
 Catalogue standard_catalogue() {
   Catalogue catalogue;
-  for_each_kernel(Kernels{}, [&]<template <int> class Kernel>() {
-    catalogue.add_kernel<Kernel>();
-  });
-  for_each_family(PlainFamilies{}, [&]<template <int> class Family>() {
-    catalogue.add_family<Family>();
-  });
+  for_each_kernel(Kernels{},
+                  [&]<template <int> class Kernel>() { catalogue.add_kernel<Kernel>(); });
+  for_each_family(PlainFamilies{},
+                  [&]<template <int> class Family>() { catalogue.add_family<Family>(); });
   for_each_type(Integrators{}, [&]<class Method>() { catalogue.add_integrator<Method>(); });
   for_each_type(Models{}, [&]<class Recipe>() { catalogue.add_model<Recipe>(); });
   for_each_type(Layouts{}, [&]<class Layout>() { catalogue.add_layout<Layout>(); });

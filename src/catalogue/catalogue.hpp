@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -71,6 +72,17 @@ struct Catalogue {
   void add_layout();
 };
 
+/// The entries of one of the lists above as choices, and the entry that has this name.
+template <class Entry>
+Choices choices_of(const std::vector<Entry>& entries) {
+  return {entries.begin(), entries.end()};
+}
+
+template <class Entry>
+const Entry& entry_named(const std::vector<Entry>& entries, const std::string& name) {
+  return *std::ranges::find(entries, name, &Entry::name);
+}
+
 /// The lists of mote: Kernels, KernelFamilies, PlainFamilies, Integrators, Models, Layouts, ...
 Catalogue standard_catalogue();
 
@@ -110,8 +122,8 @@ void Catalogue::add_kernel() {
 
 template <template <int> class Family>
 void Catalogue::add_family() {
-  operators.push_back({std::string(Family<1>::family), "", std::string(Family<1>::summary),
-                       make_operator<Family>});
+  operators.push_back(
+      {std::string(Family<1>::family), "", std::string(Family<1>::summary), make_operator<Family>});
 }
 
 template <class Method>

@@ -13,10 +13,10 @@ std::unique_ptr<ExactSolution> sheets_from(const Cloud& initial, const Parameter
     throw InputError("check.against", "gravitating_sheets solves the model pressureless_gas alone");
   if (parameters.at("viscosity") != 0)
     throw InputError("check.against", "gravitating_sheets has no viscosity, this gas has");
-  return std::make_unique<GravitatingSheets>(SheetCells{
-      copy(initial.position()), copy(initial.values("velocity")), copy(initial.values("length")),
-      copy(initial.values("length_rate")), copy(initial.values("mass")), parameters.at("lower"),
-      parameters.at("gravity")});
+  return std::make_unique<GravitatingSheets>(
+      SheetCells{copy(initial.position()), copy(initial.values("velocity")),
+                 copy(initial.values("length")), copy(initial.values("length_rate")),
+                 copy(initial.values("mass")), parameters.at("lower"), parameters.at("gravity")});
 }
 
 }  // namespace

@@ -39,8 +39,8 @@ GravitatingSheets::GravitatingSheets(SheetCells cells) : cells_(std::move(cells)
   first_crossing_ = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < count; ++i) {
     const double half_fall = -2 * pi * cells_.gravity * cells_.mass[i];
-    first_crossing_ = std::min(
-        first_crossing_, first_root(cells_.length[i], cells_.length_rate[i], half_fall));
+    first_crossing_ =
+        std::min(first_crossing_, first_root(cells_.length[i], cells_.length_rate[i], half_fall));
     if (i == 0) continue;
     first_crossing_ = std::min(
         first_crossing_,

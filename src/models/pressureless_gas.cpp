@@ -70,8 +70,8 @@ void PressurelessGas::fill_cloud(const LineSetup& setup) {
 
 void PressurelessGas::name_evolving_values() {
   const auto count = static_cast<std::size_t>(cloud_.count());
-  for (auto* rate : {&acceleration_, &operator_acceleration_, &length_acceleration_,
-                     &density_rate_, &derivative_})
+  for (auto* rate : {&acceleration_, &operator_acceleration_, &length_acceleration_, &density_rate_,
+                     &derivative_})
     rate->resize(count);
   kicked_.push_back({velocity_, acceleration_});
   if (uses_edges()) {
@@ -149,8 +149,8 @@ void PressurelessGas::add_gravity_of_potential() {
   field_.resize(static_cast<std::size_t>(points_.size()));
   mass_below_.resize(mass_.size() + 1);
   moment_below_.resize(mass_.size() + 1);
-  sheet_potential(position_, mass_, options_.gravity, points_.position, mass_below_,
-                  moment_below_, field_);
+  sheet_potential(position_, mass_, options_.gravity, points_.position, mass_below_, moment_below_,
+                  field_);
   gradient<1>(*operator_, lists_, field_, derivative_);
   for (std::size_t i = 0; i < derivative_.size(); ++i) operator_acceleration_[i] -= derivative_[i];
 }

@@ -19,8 +19,9 @@ std::string cause_of_crossing(const PressurelessGasOptions& options) {
   if (options.viscosity > 0)
     return "the printed Laplacian is not exact for linear velocities, so zig-zag motions grow "
            "until neighbours meet";
-  return "the gas has fallen together: a pressureless gas has no solution beyond this time; end "
-         "the run earlier";
+  return "the gas has fallen together, and a pressureless gas has no solution beyond this time: "
+         "end "
+         "the run earlier; or the step is too long for these velocities";
 }
 
 }  // namespace
@@ -30,18 +31,18 @@ void PressurelessGas::inspect() const {
     for (Index i = 0; i < cloud_.count(); ++i)
       if (!std::isfinite(field.values[i]))
         throw NumericalFailure(
-            fmt::format("the {} of particle {} is no longer a finite number", field.name, i),
-                               {i}, "the step is too long, or the operator is unstable here");
+            fmt::format("the {} of particle {} is no longer a finite number", field.name, i), {i},
+            "the step is too long, or the operator is unstable here");
   for (Index i = 0; i + 1 < cloud_.count(); ++i)
     if (!(position_[i] < position_[i + 1]))
       throw NumericalFailure(
           fmt::format("particles {} and {} crossed at x = {:.6g}", i, i + 1, position_[i]),
-                             {i, i + 1}, cause_of_crossing(options_));
+          {i, i + 1}, cause_of_crossing(options_));
   for (Index i = 0; i < cloud_.count(); ++i)
     if (!(length_[i] > 0))
       throw NumericalFailure(
-          fmt::format("the cell of particle {} collapsed at x = {:.6g}", i, position_[i]),
-                             {i}, cause_of_crossing(options_));
+          fmt::format("the cell of particle {} collapsed at x = {:.6g}", i, position_[i]), {i},
+          cause_of_crossing(options_));
 }
 
 std::vector<Conserved> PressurelessGas::conserved() const {

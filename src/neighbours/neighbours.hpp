@@ -15,9 +15,12 @@ enum class PairLength { mean, scatter, gather };
 /// Smoothing length of receiver i with neighbour j.
 constexpr double pair_length(PairLength rule, double h_i, double h_j) {
   switch (rule) {
-    case PairLength::scatter: return h_j;
-    case PairLength::gather: return h_i;
-    case PairLength::mean: break;
+    case PairLength::scatter:
+      return h_j;
+    case PairLength::gather:
+      return h_i;
+    case PairLength::mean:
+      break;
   }
   return 0.5 * (h_i + h_j);
 }

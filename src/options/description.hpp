@@ -65,8 +65,7 @@ class Description {
   /// A nested section; `body` describes its keys on this same object.
   virtual void section(const Key& key, const std::function<void()>& body) = 0;
   /// Named numbers that later expressions may use.
-  virtual void constants(const Key& key,
-                         std::vector<std::pair<std::string, double>>& values) = 0;
+  virtual void constants(const Key& key, std::vector<std::pair<std::string, double>>& values) = 0;
 };
 
 /// One value of an enumeration with its word in a scenario file.

@@ -47,9 +47,7 @@ bool Certificate::passed() const {
 
 std::string summary_json(const Certificate& c) {
   using Json = nlohmann::ordered_json;
-  const auto rate = [&](double work) {
-    return c.wall_seconds > 0 ? work / c.wall_seconds : 0.0;
-  };
+  const auto rate = [&](double work) { return c.wall_seconds > 0 ? work / c.wall_seconds : 0.0; };
   Json json = {{"name", c.name},
                {"version", c.version},
                {"dimension", c.dimension},

@@ -45,8 +45,8 @@ struct Certificate {
   std::int64_t dimension = 1, particles = 0, steps = 0;
   int threads = 1;
   double time = 0;
-  double wall_seconds = 0;        ///< of this process
-  std::int64_t steps_timed = 0;   ///< steps done in wall_seconds
+  double wall_seconds = 0;       ///< of this process
+  std::int64_t steps_timed = 0;  ///< steps done in wall_seconds
   PairWork pair_work;
   std::vector<ErrorNorms> errors;
   std::vector<Drift> conservation;

@@ -18,15 +18,17 @@ fs::path unfinished(const fs::path& path) {
 void finish(const fs::path& path) {
   std::error_code error;
   fs::rename(unfinished(path), path, error);
-  if (error) throw InputError(fmt::format("{}: cannot write: {}", path.string(), error.message()));
+  if (!error) return;
+  std::error_code ignored;
+  fs::remove(unfinished(path), ignored);
+  throw InputError(fmt::format("{}: cannot write: {}", path.string(), error.message()));
 }
 
 void write_file(const fs::path& path, const std::string& contents) {
   {
     std::ofstream file(unfinished(path), std::ios::binary);
     file << contents;
-    if (!file.flush())
-      throw InputError(fmt::format("{}: cannot write this file", path.string()));
+    if (!file.flush()) throw InputError(fmt::format("{}: cannot write this file", path.string()));
   }
   finish(path);
 }

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 
 #include "mote/output/files.hpp"
@@ -22,12 +23,15 @@ void make_folder(const fs::path& path) {
   std::error_code error;
   fs::create_directories(path, error);
   if (error)
-    throw InputError(fmt::format("{}: cannot make this folder: {}", path.string(), error.message()));
+    throw InputError(
+        fmt::format("{}: cannot make this folder: {}", path.string(), error.message()));
 }
 
 /// Removes a former run, file by file as a run makes them; anything else in the folder stays.
 void remove_run(const fs::path& path) {
-  if (!fs::exists(path / "run.yaml"))
+  std::string first_line;
+  std::getline(std::ifstream(path / "run.yaml"), first_line);
+  if (first_line != run_file_mark)
     throw InputError(fmt::format(
         "{}: this folder is not the output of a run, so it is not overwritten", path.string()));
   std::error_code error;
@@ -40,6 +44,22 @@ void remove_run(const fs::path& path) {
         fmt::format("{}: cannot remove the former run: {}", path.string(), error.message()));
 }
 
+/// The frame that a file name stands for, `000012.hdf`; nothing for other names.
+std::optional<std::int64_t> frame_of(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  std::int64_t frame = 0;
+  const auto [end, problem] = std::from_chars(stem.data(), stem.data() + stem.size(), frame);
+  const bool number = problem == std::errc{} && end == stem.data() + stem.size();
+  if (!number || file.extension() != ".hdf") return std::nullopt;
+  return frame;
+}
+
+std::string history_header(const std::vector<Conserved>& quantities) {
+  std::string header = "time,step";
+  for (const Conserved& quantity : quantities) header += "," + quantity.name;
+  return header + "\n";
+}
+
 }  // namespace
 
 OutputFolder OutputFolder::create(const fs::path& path, Existing existing) {
@@ -48,9 +68,9 @@ OutputFolder OutputFolder::create(const fs::path& path, Existing existing) {
     throw InputError(fmt::format("{}: this is a file, not a folder", path.string()));
   if (fs::exists(path, error) && !fs::is_empty(path, error)) {
     if (existing == Existing::refuse)
-      throw InputError(fmt::format(
-          "{}: this folder exists and is not empty; --overwrite replaces a former run",
-          path.string()));
+      throw InputError(
+          fmt::format("{}: this folder exists and is not empty; --overwrite replaces a former run",
+                      path.string()));
     remove_run(path);
   }
   make_folder(path / "snapshots");
@@ -58,23 +78,33 @@ OutputFolder OutputFolder::create(const fs::path& path, Existing existing) {
 }
 
 OutputFolder OutputFolder::open(const fs::path& path) {
-  if (!fs::is_directory(path))
+  std::error_code ignored;
+  if (!fs::is_directory(path, ignored))
     throw InputError(fmt::format("{}: there is no such folder", path.string()));
   if (!fs::exists(path / "run.yaml"))
     throw InputError(
         fmt::format("{}: this is not the output of a run: it has no run.yaml", path.string()));
   OutputFolder folder(path);
   if (!fs::exists(folder.file("snapshots.hdf.series"))) return folder;
-  const auto series =
-      nlohmann::json::parse(read_file(folder.file("snapshots.hdf.series")), nullptr, false);
-  if (series.is_discarded() || !series.contains("files"))
-    throw InputError(fmt::format("{}: this file is damaged",
-                                 folder.file("snapshots.hdf.series").string()));
-  for (const auto& entry : series["files"])
-    folder.times_.emplace_back(
-        std::stoll(fs::path(entry["name"].get<std::string>()).stem().string()),
-        entry["time"].get<double>());
+  folder.read_series();
   return folder;
+}
+
+void OutputFolder::read_series() {
+  const fs::path path = file("snapshots.hdf.series");
+  try {
+    const auto series = nlohmann::json::parse(read_file(path));
+    for (const auto& entry : series.at("files")) {
+      const auto frame = frame_of(entry.at("name").get<std::string>());
+      if (!frame) throw InputError("no frame");
+      times_.emplace_back(*frame, entry.at("time").get<double>());
+    }
+  } catch (const std::exception&) {
+    throw InputError(
+        fmt::format("{}: this file is damaged: it does not name snapshots and "
+                    "their times",
+                    path.string()));
+  }
 }
 
 fs::path OutputFolder::snapshot(std::int64_t frame) const {
@@ -84,13 +114,8 @@ fs::path OutputFolder::snapshot(std::int64_t frame) const {
 std::vector<std::int64_t> OutputFolder::frames() const {
   std::vector<std::int64_t> frames;
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(path_ / "snapshots", error)) {
-    const std::string stem = entry.path().stem().string();
-    std::int64_t frame = 0;
-    const auto [end, problem] = std::from_chars(stem.data(), stem.data() + stem.size(), frame);
-    const bool number = problem == std::errc{} && end == stem.data() + stem.size();
-    if (number && entry.path().extension() == ".hdf") frames.push_back(frame);
-  }
+  for (const auto& entry : fs::directory_iterator(path_ / "snapshots", error))
+    if (const auto frame = frame_of(entry.path())) frames.push_back(*frame);
   std::ranges::sort(frames);
   return frames;
 }
@@ -99,6 +124,14 @@ void OutputFolder::add_snapshot(const Moment& moment, const std::string& fingerp
                                 const Cloud& cloud) {
   write_snapshot(snapshot(moment.frame), moment, fingerprint, cloud);
   note_snapshot(moment);
+}
+
+Snapshot OutputFolder::read_frame(std::int64_t frame) const {
+  Snapshot read = read_snapshot(snapshot(frame));
+  if (read.moment.frame != frame)
+    throw InputError(fmt::format("{}: this snapshot is damaged: it holds frame {}",
+                                 snapshot(frame).string(), read.moment.frame));
+  return read;
 }
 
 void OutputFolder::note_snapshot(const Moment& moment) {
@@ -112,21 +145,25 @@ void OutputFolder::write_series() const {
   series["file-series-version"] = "1.0";
   series["files"] = nlohmann::ordered_json::array();
   for (const auto& [frame, time] : times_)
-    series["files"].push_back({{"name", fmt::format("snapshots/{:06}.hdf", frame)}, {"time", time}});
+    series["files"].push_back(
+        {{"name", fmt::format("snapshots/{:06}.hdf", frame)}, {"time", time}});
   write_file(file("snapshots.hdf.series"), series.dump(1) + "\n");
 }
 
 void OutputFolder::begin_history(const std::vector<Conserved>& quantities) {
-  std::string header = "time,step";
-  for (const Conserved& quantity : quantities) header += "," + quantity.name;
-  write_file(file("history.csv"), header + "\n");
+  write_file(file("history.csv"), history_header(quantities));
 }
 
-void OutputFolder::resume_history(const Moment& moment) {
+void OutputFolder::resume_history(const Moment& moment, const std::vector<Conserved>& quantities) {
   std::istringstream history(read_file(file("history.csv")));
   std::string kept, line;
   std::getline(history, line);
   kept = line + "\n";
+  if (kept != history_header(quantities))
+    throw InputError(
+        fmt::format("{}: this file is damaged: its first line does not name the "
+                    "columns of this run",
+                    file("history.csv").string()));
   while (std::getline(history, line)) {
     const auto comma = line.find(',');
     std::int64_t step = 0;
@@ -154,8 +191,7 @@ void OutputFolder::write_table(const std::string& name, const Table& table) {
   text += '\n';
   for (std::size_t row = 0; !table.empty() && row < table[0].values.size(); ++row) {
     for (std::size_t c = 0; c < table.size(); ++c)
-      fmt::format_to(std::back_inserter(text), "{}{:.17g}", c > 0 ? "," : "",
-                     table[c].values[row]);
+      fmt::format_to(std::back_inserter(text), "{}{:.17g}", c > 0 ? "," : "", table[c].values[row]);
     text += '\n';
   }
   write_file(file(name), text);

@@ -10,6 +10,10 @@
 
 namespace mote {
 
+/// The first line of run.yaml, by which a folder is known as the output of a run.
+inline constexpr std::string_view run_file_mark =
+    "# The scenario as it was run, with every default.";
+
 /// What to do when the folder of a run is there already.
 enum class Existing { refuse, replace };
 
@@ -34,12 +38,15 @@ class OutputFolder {
   /// Writes a snapshot and names it in `snapshots.hdf.series` with its time.
   void add_snapshot(const Moment& moment, const std::string& fingerprint, const Cloud& cloud);
 
+  /// The snapshot of a frame. Throws InputError if it is damaged or of another frame.
+  Snapshot read_frame(std::int64_t frame) const;
+
   /// Names a snapshot that is there in the series, and no later one.
   void note_snapshot(const Moment& moment);
 
   /// Starts history.csv, or cuts off the rows after `moment` of a run that goes on from there.
   void begin_history(const std::vector<Conserved>& quantities);
-  void resume_history(const Moment& moment);
+  void resume_history(const Moment& moment, const std::vector<Conserved>& quantities);
   void add_history(const Moment& moment, const std::vector<Conserved>& quantities);
 
   /// Writes a table as CSV with 17 digits.
@@ -47,6 +54,7 @@ class OutputFolder {
 
  private:
   explicit OutputFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  void read_series();
   void write_series() const;
 
   std::filesystem::path path_;

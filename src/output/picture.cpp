@@ -9,8 +9,7 @@
 
 namespace mote {
 
-std::string draw_picture(const std::filesystem::path& shared,
-                         const std::filesystem::path& folder) {
+std::string draw_picture(const std::filesystem::path& shared, const std::filesystem::path& folder) {
   const std::string script = (shared / "plot").string(), target = folder.string();
   if (!std::filesystem::exists(script)) return fmt::format("the script {} is missing", script);
   // The system's own Python: it has the Debian packages, a user's version manager may not.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <numeric>
 
 #include "mote/output/files.hpp"
@@ -61,6 +62,15 @@ void write_vtk(hid_t file, const Cloud& cloud) {
   write_point_data(vtk, cloud);
 }
 
+/// Tells whether the numbers of a state are those that were written: FNV-1a, a number at a time.
+std::string checksum(const Cloud& cloud) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const Field& field : cloud.fields())
+    for (const double value : field.values)
+      hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3u;
+  return fmt::format("{:016x}", hash);
+}
+
 /// The restart group: attributes, and each field with its components; scalars are hard links to
 /// the arrays that VTK reads.
 void write_restart(hid_t file, const Moment& moment, const std::string& fingerprint,
@@ -70,6 +80,7 @@ void write_restart(hid_t file, const Moment& moment, const std::string& fingerpr
   hdf5::write_attribute(group, "step", std::span(&moment.step, 1));
   hdf5::write_attribute(group, "time", moment.time);
   hdf5::write_attribute(group, "scenario", fingerprint);
+  hdf5::write_attribute(group, "checksum", checksum(cloud));
   const std::int64_t dimension = cloud.dimension(), count = cloud.count();
   hdf5::write_attribute(group, "dimension", std::span(&dimension, 1));
   hdf5::write_attribute(group, "particles", std::span(&count, 1));
@@ -80,9 +91,9 @@ void write_restart(hid_t file, const Moment& moment, const std::string& fingerpr
                   static_cast<hsize_t>(count), static_cast<hsize_t>(field.components));
     } else {
       const std::string source = "/VTKHDF/PointData/" + field.name;
-      hdf5::require(H5Lcreate_hard(file, source.c_str(), state, field.name.c_str(), H5P_DEFAULT,
-                                   H5P_DEFAULT),
-                    field.name);
+      hdf5::require(
+          H5Lcreate_hard(file, source.c_str(), state, field.name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+          field.name);
     }
     const hdf5::Handle set(H5Dopen2(state, field.name.c_str(), H5P_DEFAULT), H5Dclose, field.name);
     hdf5::write_attribute(set, "kind",
@@ -107,6 +118,8 @@ Cloud read_cloud(hid_t group) {
       throw std::runtime_error("the field " + name + " has the wrong size");
     std::ranges::copy(values, target.begin());
   }
+  if (checksum(cloud) != hdf5::read_string(group, "checksum"))
+    throw std::runtime_error("its numbers are not those that were written");
   return cloud;
 }
 
@@ -121,7 +134,8 @@ void write_snapshot(const std::filesystem::path& path, const Moment& moment,
     write_restart(file, moment, fingerprint, cloud);
     hdf5::require(H5Fflush(file, H5F_SCOPE_LOCAL), "the disk may be full");
   } catch (const std::runtime_error& error) {
-    throw InputError(fmt::format("{}: cannot write this snapshot: {}", path.string(), error.what()));
+    throw InputError(
+        fmt::format("{}: cannot write this snapshot: {}", path.string(), error.what()));
   }
   finish(path);
 }
@@ -136,9 +150,8 @@ Snapshot read_snapshot(const std::filesystem::path& path) {
             hdf5::read_string(group, "scenario"),
             read_cloud(group)};
   } catch (const std::runtime_error& error) {
-    throw InputError(
-        fmt::format("{}: this snapshot is damaged or not one of mote: {}", path.string(),
-                    error.what()));
+    throw InputError(fmt::format("{}: this snapshot is damaged or not one of mote: {}",
+                                 path.string(), error.what()));
   }
 }
 

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "mote/particles/random.hpp"
 #include "mote/options/type_list.hpp"
+#include "mote/particles/random.hpp"
 #include "mote/particles/vector.hpp"
 
 namespace mote {

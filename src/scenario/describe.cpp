@@ -6,16 +6,6 @@
 namespace mote {
 namespace {
 
-template <class Entry>
-Choices choices_of(const std::vector<Entry>& entries) {
-  return {entries.begin(), entries.end()};
-}
-
-template <class Entry>
-const Entry& entry_named(const std::vector<Entry>& entries, const std::string& name) {
-  return *std::ranges::find(entries, name, &Entry::name);
-}
-
 void describe_domain(Description& d, Scenario::Domain& domain) {
   d.numbers({"lower", "lower corner, one number a dimension", true}, domain.lower);
   d.numbers({"upper", "upper corner, one number a dimension", true}, domain.upper);
@@ -99,8 +89,7 @@ void describe_operator(Description& d, Scenario& scenario, const Catalogue& cata
 }
 
 void describe_time(Description& d, Scenario::Time& time, const Catalogue& catalogue) {
-  d.choice({"integrator", "how time goes on"}, time.integrator,
-           choices_of(catalogue.integrators));
+  d.choice({"integrator", "how time goes on"}, time.integrator, choices_of(catalogue.integrators));
   d.number({"step", "longest time step", true}, time.step, positive);
   d.number({"end", "time at which the run ends", true}, time.end, positive);
 }
@@ -108,8 +97,8 @@ void describe_time(Description& d, Scenario::Time& time, const Catalogue& catalo
 void describe_output(Description& d, Scenario::Output& output) {
   d.number({"every", "time between snapshots; default: a tenth of the run"}, output.every,
            positive);
-  d.count({"history", "steps between rows of history.csv; 0: ten rows a snapshot"},
-          output.history, not_negative);
+  d.count({"history", "steps between rows of history.csv; 0: ten rows a snapshot"}, output.history,
+          not_negative);
   d.flag({"picture", "whether to draw a picture at the end"}, output.picture);
 }
 
@@ -174,8 +163,7 @@ void describe(Description& d, Scenario& scenario, const Catalogue& catalogue) {
   });
   d.section({"operator", "how derivatives are formed", true},
             [&] { describe_operator(d, scenario, catalogue); });
-  d.section({"time", "step and end", true},
-            [&] { describe_time(d, scenario.time, catalogue); });
+  d.section({"time", "step and end", true}, [&] { describe_time(d, scenario.time, catalogue); });
   d.section({"output", "what is written"}, [&] { describe_output(d, scenario.output); });
   d.section({"check", "what the result must hold"},
             [&] { describe_check(d, scenario.check, catalogue); });

@@ -1,12 +1,15 @@
 #include "mote/scenario/document.hpp"
 
 #include <fmt/format.h>
+#include <yaml-cpp/depthguard.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iterator>
+#include <optional>
 #include <sstream>
 
 #include "mote/scenario/located_error.hpp"
@@ -16,34 +19,70 @@ namespace {
 
 using Place = std::function<Origin(const YAML::Mark&)>;
 
-Value convert(const YAML::Node& node, const Place& place);
+/// Turns the nodes of yaml-cpp into our values and refuses what a scenario has no use for: tags,
+/// keys given twice, values nested without end or too many of them (aliases can do both).
+class Converter {
+ public:
+  explicit Converter(const Place& place) : place_(place) {}
 
-void convert_section(const YAML::Node& node, const Place& place, Value& value) {
-  value.kind = Value::Kind::section;
-  for (const auto& entry : node) {
-    const Origin origin = place(entry.first.Mark());
-    if (!entry.first.IsScalar()) throw LocatedError(origin.text, "a key must be a single word");
-    const std::string key = entry.first.Scalar();
-    if (value.find(key) != nullptr)
-      throw LocatedError(origin.text, fmt::format("the key '{}' is given twice", key));
-    value.entries.push_back({key, origin, convert(entry.second, place)});
+  Value convert(const YAML::Node& node) {
+    Value value;
+    value.origin = place_(node.Mark());
+    if (++values_ > most_values) throw LocatedError(value.origin.text, "there are too many values");
+    if (depth_ > deepest) throw LocatedError(value.origin.text, nested_too_deep);
+    if (!node.Tag().empty() && node.Tag() != "?" && node.Tag() != "!")
+      throw LocatedError(value.origin.text,
+                         fmt::format("the tag '{}' has no meaning in a scenario", node.Tag()));
+    ++depth_;
+    if (node.IsScalar()) {
+      value.kind = Value::Kind::word;
+      value.word = node.Scalar();
+    } else if (node.IsSequence()) {
+      value.kind = Value::Kind::list;
+      for (const auto& item : node) value.list.push_back(convert(item));
+    } else if (node.IsMap()) {
+      convert_section(node, value);
+    }
+    --depth_;
+    return value;
   }
-}
 
-Value convert(const YAML::Node& node, const Place& place) {
-  Value value;
-  value.origin = place(node.Mark());
-  if (node.IsScalar()) {
-    value.kind = Value::Kind::word;
-    value.word = node.Scalar();
-    value.quoted = node.Tag() == "!";
-  } else if (node.IsSequence()) {
-    value.kind = Value::Kind::list;
-    for (const auto& item : node) value.list.push_back(convert(item, place));
-  } else if (node.IsMap()) {
-    convert_section(node, place, value);
+  static constexpr const char* nested_too_deep =
+      "values are nested too deep here, or an alias refers to itself";
+
+ private:
+  static constexpr int most_values = 1'000'000, deepest = 50;
+
+  void convert_section(const YAML::Node& node, Value& value) {
+    value.kind = Value::Kind::section;
+    for (const auto& entry : node) {
+      const Origin origin = place_(entry.first.Mark());
+      if (!entry.first.IsScalar()) throw LocatedError(origin.text, "a key must be a single word");
+      const std::string key = entry.first.Scalar();
+      if (value.find(key) != nullptr)
+        throw LocatedError(origin.text, fmt::format("the key '{}' is given twice", key));
+      value.entries.push_back({key, origin, convert(entry.second)});
+      // The parser puts a missing value where the next line begins; the user misses it here.
+      const bool elsewhere = entry.second.Mark().line != entry.first.Mark().line;
+      if (entry.second.IsNull() && elsewhere) value.entries.back().value.origin = origin;
+    }
   }
-  return value;
+
+  const Place& place_;
+  int values_ = 0, depth_ = 0;
+};
+
+/// Where a tab indents a line, which YAML forbids and its parser explains badly.
+std::optional<YAML::Mark> indenting_tab(const std::string& text) {
+  YAML::Mark mark;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line); ++mark.line) {
+    const auto first = line.find_first_not_of(' ');
+    if (first == std::string::npos || line[first] != '\t') continue;
+    mark.column = static_cast<int>(first);
+    return mark;
+  }
+  return std::nullopt;
 }
 
 /// Parses one YAML document, turning the library's exceptions into ours.
@@ -53,23 +92,23 @@ Value parse(const std::string& text, const Place& place) {
     if (documents.size() > 1)
       throw LocatedError(place(documents[1].Mark()).text,
                          "a second YAML document begins here; one file is one scenario");
-    return documents.empty() ? Value{} : convert(documents.front(), place);
+    return documents.empty() ? Value{} : Converter(place).convert(documents.front());
+  } catch (const YAML::DeepRecursion& error) {
+    throw LocatedError(place(error.mark).text, Converter::nested_too_deep);
   } catch (const YAML::Exception& error) {
+    if (const auto tab = indenting_tab(text))
+      throw LocatedError(place(*tab).text, "a tab indents this line; YAML indents by spaces");
     throw LocatedError(place(error.mark).text, "this is not YAML: " + error.msg);
   }
 }
 
 std::string contents(const std::string& path) {
-  if (std::filesystem::is_directory(path)) throw LocatedError(path, "this is a folder, not a file");
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    throw LocatedError(path, "this is a folder, not a file");
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) {
-    // An empty file sets the fail bit too, and is told apart by its size.
-    std::error_code ignored;
-    if (!file.is_open() || std::filesystem::file_size(path, ignored) > 0)
-      throw LocatedError(path, "cannot read this file");
-  }
-  return text.str();
+  if (!file) throw LocatedError(path, "cannot read this file; is there one?");
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace
@@ -101,7 +140,10 @@ void Document::set(const std::string& assignment) {
   Value* value = &root_;
   std::istringstream path(assignment.substr(0, equals));
   for (std::string key; std::getline(path, key, '.');) {
-    if (value->kind == Value::Kind::word) value->short_form = value->word;
+    if (value->kind == Value::Kind::word) {
+      value->short_form = value->word;
+      value->origin = origin;
+    }
     if (value->kind == Value::Kind::list)
       throw LocatedError(origin.text, "a list is set as a whole, as in domain.upper=[2]");
     value->kind = Value::Kind::section;

@@ -18,7 +18,6 @@ struct Value {
 
   Kind kind = Kind::empty;
   std::string word;
-  bool quoted = false;
   Origin origin;
   std::vector<Value> list;
   std::vector<Entry> entries;

@@ -18,12 +18,41 @@ double clamp(double value, double lower, double upper) {
 
 constexpr std::array reserved_names{"x", "y", "z", "r", "t", "pi"};
 
+/// The token up to its first sign that no name has: muParser gives the rest of the line.
+std::string name_in(const std::string& token) {
+  return token.substr(0, token.find_first_of(" \t\n+-*/^()<>=!&|?:,;"));
+}
+
+/// muParser's errors in our words; it says some of them in several places at once.
 std::string message_of(const mu::Parser::exception_type& error) {
+  const std::string token = error.GetToken();
   switch (error.GetCode()) {
-    case mu::ecUNASSIGNABLE_TOKEN: return fmt::format("unknown name '{}'", error.GetToken());
-    case mu::ecUNEXPECTED_EOF: return "the expression ends too early";
-    default: return error.GetMsg();
+    case mu::ecUNASSIGNABLE_TOKEN:
+      return fmt::format("unknown name '{}'", name_in(token));
+    case mu::ecEMPTY_EXPRESSION:
+      return "the expression is empty";
+    case mu::ecUNEXPECTED_EOF:
+      return "the expression ends too early";
+    case mu::ecMISSING_PARENS:
+      return "a parenthesis is not closed";
+    case mu::ecMISSING_ELSE_CLAUSE:
+      return "a condition '?' has no else part ':'";
+    case mu::ecMISPLACED_COLON:
+      return "this ':' has no condition '?' before it";
+    case mu::ecTOO_MANY_PARAMS:
+      return fmt::format("{} has too many arguments", name_in(token));
+    case mu::ecTOO_FEW_PARAMS:
+      return fmt::format("{} has too few arguments", name_in(token));
+    default:
+      return token.empty() ? "it cannot be understood"
+                           : fmt::format("'{}' cannot stand here", token);
   }
+}
+
+/// Where muParser saw the error; -1 where it says nothing, or the end of what it read.
+int position_of(const mu::Parser::exception_type& error) {
+  const bool has_place = error.GetCode() != mu::ecEMPTY_EXPRESSION;
+  return has_place ? static_cast<int>(error.GetPos()) : -1;
 }
 
 /// muParser would let a formula change its variables.
@@ -31,7 +60,8 @@ void refuse_assignment(const std::string& text) {
   static const std::regex assignment("(^|[^<>=!])=([^=]|$)");
   std::smatch match;
   if (std::regex_search(text, match, assignment))
-    throw ExpressionError("'=' assigns; a comparison is '=='", static_cast<int>(match.position()));
+    throw ExpressionError("'=' assigns; a comparison is '=='",
+                          static_cast<int>(match.position() + match.length(1)));
 }
 
 }  // namespace
@@ -54,9 +84,9 @@ Expression::Expression(const std::string& text, const Constants& constants)
     for (const auto& [name, value] : constants) parser_->DefineConst(name, value);
     parser_->SetExpr(text);
     parser_->Eval();
-    if (parser_->GetNumResults() != 1) throw ExpressionError("this is several expressions", 0);
+    if (parser_->GetNumResults() != 1) throw ExpressionError("this is several expressions", -1);
   } catch (const mu::Parser::exception_type& error) {
-    throw ExpressionError(message_of(error), static_cast<int>(error.GetPos()));
+    throw ExpressionError(message_of(error), position_of(error));
   }
 }
 
@@ -71,7 +101,9 @@ double Expression::operator()(const Place& place) const {
 bool Expression::depends_on_place() const { return !parser_->GetUsedVar().empty(); }
 
 bool Expression::is_reserved(const std::string& name) {
-  return std::ranges::find(reserved_names, name) != reserved_names.end();
+  if (name == "clamp" || std::ranges::find(reserved_names, name) != reserved_names.end())
+    return true;
+  return mu::Parser().GetFunDef().contains(name);
 }
 
 }  // namespace mote

@@ -13,7 +13,7 @@ namespace mote {
 
 using Constants = std::map<std::string, double>;
 
-/// An expression that cannot be understood; `position` is the offending character, from 0.
+/// An expression that cannot be understood; `position` is the offending character, from 0, or -1.
 class ExpressionError : public std::runtime_error {
  public:
   ExpressionError(const std::string& message, int position)

@@ -37,8 +37,7 @@ bool is_questionable_number(const std::string& word) {
 
 std::string range_in_words(const Range& range) {
   const bool has_lower = std::isfinite(range.lower), has_upper = std::isfinite(range.upper);
-  if (has_lower && has_upper)
-    return fmt::format("must be from {} to {}", range.lower, range.upper);
+  if (has_lower && has_upper) return fmt::format("must be from {} to {}", range.lower, range.upper);
   if (has_upper) return fmt::format("must be at most {}", range.upper);
   if (range.open) return fmt::format("must be greater than {}", range.lower);
   return fmt::format("must be at least {}", range.lower);
@@ -54,8 +53,8 @@ void check_choice(const Value& value, const std::string& word, const std::string
                   const Choices& choices) {
   const auto names = names_of(choices);
   if (std::ranges::find(names, word) != names.end()) return;
-  refuse(value, fmt::format("'{}' is not a {}{}; there are: {}", word, key,
-                            suggestion(word, names), fmt::join(names, ", ")));
+  refuse(value, fmt::format("unknown {} '{}'{}; there are: {}", key, word, suggestion(word, names),
+                            fmt::join(names, ", ")));
 }
 
 }  // namespace
@@ -76,34 +75,51 @@ const Value* Reader::take(const Key& key) {
 
 /// Misspelt keys are told before missing ones: the one is usually the cause of the other.
 void Reader::close(const Level& level) const {
-  refuse_unknown_keys(level, false);
-  if (!level.missing.empty())
-    throw LocatedError(level.place, fmt::format("{} lacks the key '{}'", level.name,
-                                                level.missing.front()));
+  refuse_unknown_keys(level);
+  if (!level.missing.empty()) refuse_missing(level, level.missing.front());
   if (!level.short_form.empty())
     throw LocatedError(level.place, fmt::format("'{}' has nothing to say here in {}",
                                                 level.short_form.front(), level.name));
 }
 
-void Reader::refuse_unknown_keys(const Level& level, bool only_if_similar) const {
+void Reader::refuse_unknown_keys(const Level& level) const {
+  if (level.value == nullptr) return;
+  for (const auto& entry : level.value->entries)
+    if (std::ranges::find(level.known, entry.key) == level.known.end())
+      throw LocatedError(entry.origin.text,
+                         fmt::format("unknown key '{}'{} in {}", entry.key,
+                                     suggestion(entry.key, level.known), level.name));
+}
+
+/// Refuses a key that is not known so far and looks like `key`, which is not given.
+void Reader::refuse_misspelt(const Level& level, const std::string& key) const {
   if (level.value == nullptr) return;
   for (const auto& entry : level.value->entries) {
-    if (std::ranges::find(level.known, entry.key) != level.known.end()) continue;
-    const std::string hint = suggestion(entry.key, level.known);
-    if (only_if_similar && hint.empty()) continue;
-    throw LocatedError(entry.origin.text,
-                       fmt::format("unknown key '{}'{} in {}", entry.key, hint, level.name));
+    const bool known = std::ranges::find(level.known, entry.key) != level.known.end();
+    const std::string hint = suggestion(entry.key, {key});
+    if (!known && !hint.empty())
+      throw LocatedError(entry.origin.text,
+                         fmt::format("unknown key '{}'{} in {}", entry.key, hint, level.name));
   }
+}
+
+void Reader::refuse_missing(const Level& level, const std::string& key) const {
+  refuse_misspelt(level, key);
+  throw LocatedError(level.place, fmt::format("{} lacks the key '{}'", level.name, key));
 }
 
 double Reader::read_number(const Value& value, const std::string& name) {
   const std::string& word =
       require(value, Value::Kind::word, fmt::format("'{}' must be a number", name)).word;
   double number = 0;
+  if (word.empty()) refuse(value, fmt::format("'{}' must be a number, and is empty", name));
   if (is_questionable_number(word))
     refuse(value, fmt::format("'{}' must be a finite decimal number, not '{}'", name, word));
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (error != std::errc{} || end != word.data() + word.size()) {
+  const bool whole = end == word.data() + word.size();
+  if (whole && error == std::errc::result_out_of_range)
+    refuse(value, fmt::format("'{}' must be finite: {} is out of range", name, word));
+  if (error != std::errc{} || !whole) {
     try {
       const Expression formula(word, constants_);
       if (formula.depends_on_place())
@@ -115,7 +131,8 @@ double Reader::read_number(const Value& value, const std::string& name) {
     }
   }
   if (!std::isfinite(number))
-    refuse(value, fmt::format("'{}' must be finite, and '{}' is {}", name, word, number));
+    refuse(value, fmt::format("'{}' must be finite, and '{}' is {}", name, word,
+                              std::isnan(number) ? "not a number" : "infinite"));
   return number;
 }
 
@@ -187,11 +204,17 @@ void Reader::expression(const Key& key, std::string& value) {
               .word;
   if (is_questionable_number(value))
     refuse(*given, fmt::format("'{}' must be a finite decimal number, not '{}'", key.name, value));
+  if (value.empty()) refuse(*given, fmt::format("'{}' must not be empty", key.name));
+  double number = 0;
+  const auto parsed = std::from_chars(value.data(), value.data() + value.size(), number);
+  if (parsed.ec == std::errc::result_out_of_range)
+    refuse(*given, fmt::format("'{}' must be finite: {} is out of range", key.name, value));
   try {
     Expression(value, constants_);
   } catch (const ExpressionError& problem) {
-    refuse(*given, fmt::format("'{}': {} at character {} of '{}'", key.name, problem.what(),
-                               problem.position() + 1, value));
+    const std::string place =
+        problem.position() < 0 ? "in" : fmt::format("at character {} of", problem.position() + 1);
+    refuse(*given, fmt::format("'{}': {} {} '{}'", key.name, problem.what(), place, value));
   }
 }
 
@@ -207,6 +230,7 @@ void Reader::choice(const Key& key, std::string& value, const Choices& choices) 
 void Reader::variant(const Key& key, std::string& value, const Choices& choices,
                      const std::function<void(const std::string&)>& rest) {
   Level& level = levels_.back();
+  level.has_variant = true;
   const bool given = level.value != nullptr && level.value->find(key.name) != nullptr;
   if (!given && !level.short_form.empty()) {
     take({key.name, key.summary});
@@ -215,11 +239,10 @@ void Reader::variant(const Key& key, std::string& value, const Choices& choices,
     check_choice(*level.value, value, key.name, choices);
   } else {
     if (!given && key.required) {
-      level.known.push_back(key.name);
-      refuse_unknown_keys(level, true);
-      throw LocatedError(level.place, fmt::format("{} lacks the key '{}'; there are: {}",
-                                                  level.name, key.name,
-                                                  fmt::join(names_of(choices), ", ")));
+      refuse_misspelt(level, key.name);
+      throw LocatedError(level.place,
+                         fmt::format("{} lacks the key '{}'; there are: {}", level.name, key.name,
+                                     fmt::join(names_of(choices), ", ")));
     }
     if (given && !level.short_form.empty()) level.short_form.pop_front();
     choice(key, value, choices);
@@ -229,7 +252,7 @@ void Reader::variant(const Key& key, std::string& value, const Choices& choices,
 
 void Reader::section(const Key& key, const std::function<void()>& body) {
   const Value* given = take(key);
-  if (given == nullptr && key.required) return;
+  if (given == nullptr && key.required) refuse_missing(levels_.back(), key.name);
   Level level{given, given != nullptr ? given->origin.text : levels_.back().place,
               fmt::format("section '{}'", key.name)};
   if (given != nullptr) {
@@ -240,20 +263,21 @@ void Reader::section(const Key& key, const std::function<void()>& body) {
   }
   levels_.push_back(std::move(level));
   body();
+  if (given != nullptr && given->kind == Value::Kind::word && !levels_.back().has_variant)
+    refuse(*given, fmt::format("'{}' must be a section of keys", key.name));
   close(levels_.back());
   levels_.pop_back();
 }
 
 void Reader::constants(const Key& key, std::vector<std::pair<std::string, double>>& values) {
   const Value* given = take(key);
-  if (given == nullptr) return;
+  if (given == nullptr) return refuse_misspelt(levels_.back(), key.name);
   require(*given, Value::Kind::section,
           fmt::format("'{}' must be a section of names and numbers", key.name));
   for (const auto& entry : given->entries) {
-    const bool word = !entry.key.empty() && !std::isdigit(static_cast<unsigned char>(entry.key[0])) &&
-                      std::ranges::all_of(entry.key, [](unsigned char c) {
-                        return std::isalnum(c) || c == '_';
-                      });
+    const bool word =
+        !entry.key.empty() && !std::isdigit(static_cast<unsigned char>(entry.key[0])) &&
+        std::ranges::all_of(entry.key, [](unsigned char c) { return std::isalnum(c) || c == '_'; });
     if (!word || Expression::is_reserved(entry.key))
       throw LocatedError(entry.origin.text, fmt::format("'{}' cannot name a constant", entry.key));
     values.emplace_back(entry.key, read_number(entry.value, entry.key));

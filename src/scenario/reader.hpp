@@ -45,12 +45,15 @@ class Reader final : public Description {
     std::vector<std::string> known = {};  ///< keys described so far
     std::vector<std::string> missing = {};
     std::deque<std::string> short_form = {};  ///< words of `sph.gauss` not yet taken
+    bool has_variant = false;                 ///< whether a short form can have a meaning
   };
 
   const Value* take(const Key& key);
   double read_number(const Value& value, const std::string& name);
   void close(const Level& level) const;
-  void refuse_unknown_keys(const Level& level, bool only_if_similar) const;
+  void refuse_unknown_keys(const Level& level) const;
+  void refuse_misspelt(const Level& level, const std::string& key) const;
+  [[noreturn]] void refuse_missing(const Level& level, const std::string& key) const;
 
   const Document& document_;
   std::vector<Level> levels_;

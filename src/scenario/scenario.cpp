@@ -26,6 +26,9 @@ void check_together(const Scenario& scenario, const Document& document) {
       scenario.name.starts_with('.'))
     refuse("name", fmt::format("'{}' cannot name a folder: letters, digits, '_', '-' and '.' can",
                                scenario.name));
+  if (scenario.name.size() > 100)
+    refuse("name",
+           fmt::format("a name has at most 100 characters, and this has {}", scenario.name.size()));
   const auto dimension = static_cast<std::size_t>(scenario.dimension);
   for (const char* corner : {"lower", "upper"}) {
     const auto& values = corner[0] == 'l' ? scenario.domain.lower : scenario.domain.upper;
@@ -38,6 +41,9 @@ void check_together(const Scenario& scenario, const Document& document) {
     if (!(scenario.domain.upper[d] > scenario.domain.lower[d]))
       refuse("domain.upper", fmt::format("the upper corner {} must lie above the lower {}",
                                          scenario.domain.upper[d], scenario.domain.lower[d]));
+  for (std::size_t d = 0; d < dimension; ++d)
+    if (!std::isfinite(scenario.domain.upper[d] - scenario.domain.lower[d]))
+      refuse("domain.upper", "the domain from lower to upper is wider than numbers can tell");
   if (scenario.dimension != 1)
     refuse("dimension", fmt::format("the model {} lives on a line: dimension must be 1, and is {}",
                                     scenario.model_type, scenario.dimension));
@@ -93,8 +99,7 @@ Scenario read_scenario(const Document& document, const Catalogue& catalogue) {
 
 std::string resolved_yaml(Scenario& scenario, const Catalogue& catalogue) {
   scenario.written_by = version;
-  return "# The scenario as it was run, with every default.\n" +
-         yaml_of(scenario, catalogue, Record::with);
+  return yaml_of(scenario, catalogue, Record::with);
 }
 
 std::string fingerprint(Scenario& scenario, const Catalogue& catalogue) {

@@ -28,9 +28,7 @@ class SchemaWriter final : public Description {
   void count(const Key& key, std::optional<std::int64_t>& value, Range range) override {
     add(key, numeric("integer", range), value ? Json(*value) : Json());
   }
-  void flag(const Key& key, bool& value) override {
-    add(key, {{"type", "boolean"}}, Json(value));
-  }
+  void flag(const Key& key, bool& value) override { add(key, {{"type", "boolean"}}, Json(value)); }
   void text(const Key& key, std::string& value) override {
     add(key, {{"type", "string"}, {"minLength", 1}}, Json(value));
   }
@@ -74,8 +72,7 @@ class SchemaWriter final : public Description {
     body();
     object_ = outer;
     short_form_ = outer_short_form;
-    if (has_short_form)
-      nested = {{"anyOf", {{{"type", "string"}, {"minLength", 1}}, nested}}};
+    if (has_short_form) nested = {{"anyOf", {{{"type", "string"}, {"minLength", 1}}, nested}}};
     add(key, nested, Json());
   }
 

@@ -19,8 +19,8 @@ void sheet_acceleration(std::span<const double> mass, double gravity,
   }
 }
 
-void sheet_potential(std::span<const double> position, std::span<const double> mass,
-                     double gravity, std::span<const double> place, std::span<double> mass_below,
+void sheet_potential(std::span<const double> position, std::span<const double> mass, double gravity,
+                     std::span<const double> place, std::span<double> mass_below,
                      std::span<double> moment_below, std::span<double> potential) {
   const std::size_t count = mass.size();
   mass_below[0] = moment_below[0] = 0;

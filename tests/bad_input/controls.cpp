@@ -29,7 +29,7 @@ TEST(GoodInput, ChecksWithoutAWordAndWritesNothing) {
 TEST(GoodInput, MayComeFromOtherEditors) {
   std::string windows = "\xEF\xBB\xBF" + lines({});
   for (auto end = windows.find('\n'); end != std::string::npos; end = windows.find('\n', end + 2))
-    windows.insert(end, "\r");
+    windows.insert(end, 1, '\r');
   const Outcome outcome = Workspace(windows).mote({"check", "scenario.yaml"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.errors, "");

@@ -59,8 +59,9 @@ inline Marked unmark(const std::string& marked) {
   const std::string before = marked.substr(0, mark);
   const auto line = std::ranges::count(before, '\n') + 1;
   const auto column = mark - (before.rfind('\n') + 1) + 1;
-  return {before + marked.substr(mark + 1),
-          ":" + std::to_string(line) + ":" + std::to_string(column)};
+  std::string place(1, ':');
+  place += std::to_string(line) + ':' + std::to_string(column);
+  return {before + marked.substr(mark + 1), place};
 }
 
 /// The answer that bad input must get.
@@ -72,12 +73,13 @@ struct Refusal {
 
 /// Words that no message may have: leftovers of libraries and of our own making.
 inline constexpr std::array<std::string_view, 10> unfit_words{
-    "terminate called", "what()",       "-nan",       " at position ", "found at position",
-    "at expression",    "character 0 ", "a against ", "a integrator ", "a units "};
+    "terminate called", "what()",       "-nan",      " at position ", "found at position",
+    "at expression",    "character 0 ", "a against", "a integrator",  "a units"};
 
 inline bool is_one_line(const std::string& errors) {
   const auto is_control = [](unsigned char c) { return std::iscntrl(c) != 0; };
-  return errors.size() > 1 && errors.back() == '\n' && std::ranges::count_if(errors, is_control) == 1;
+  return errors.size() > 1 && errors.back() == '\n' &&
+         std::ranges::count_if(errors, is_control) == 1;
 }
 
 /// What is wrong with an answer; empty if it is as it must be.
@@ -173,7 +175,9 @@ struct CommandCase {
   std::string beginning, sentence;
   std::function<void(const Workspace&)> prepare = [](const Workspace&) {};
 
-  friend std::ostream& operator<<(std::ostream& out, const CommandCase& c) { return out << c.label; }
+  friend std::ostream& operator<<(std::ostream& out, const CommandCase& c) {
+    return out << c.label;
+  }
 };
 
 inline constexpr auto by_label = [](const auto& info) { return info.param.label; };

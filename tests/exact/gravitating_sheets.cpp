@@ -3,53 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
 
+#include "sheet_cells.hpp"
 #include "support/agreement.hpp"
-#include "support/random.hpp"
 
 namespace mote::test {
 namespace {
 
 constexpr long double pi = std::numbers::pi_v<long double>;
 constexpr double tolerance = 1e-13;
-
-using Profile = std::function<double(double)>;
-
-/// Cells of random lengths on [0, 4] at rest, of a density that depends on their middle.
-SheetCells cells_at_rest(const Profile& density, double gravity, std::size_t count = 41) {
-  Draws draws(31);
-  SheetCells cells{.lower = 0, .gravity = gravity};
-  cells.length = draws.uniform(count, 0.5, 1.5);
-  double sum = 0;
-  for (const double length : cells.length) sum += length;
-  double edge = 0;
-  for (double& length : cells.length) {
-    length *= 4 / sum;
-    cells.position.push_back(edge + length / 2);
-    cells.mass.push_back(density(cells.position.back()) * length);
-    edge += length;
-  }
-  cells.velocity.assign(count, 0);
-  cells.length_rate.assign(count, 0);
-  return cells;
-}
-
-/// The same with the linear velocity  u = offset + slope x.
-SheetCells moving_cells(const Profile& density, double gravity, double offset, double slope) {
-  SheetCells cells = cells_at_rest(density, gravity);
-  for (std::size_t i = 0; i < cells.position.size(); ++i) {
-    cells.velocity[i] = offset + slope * cells.position[i];
-    cells.length_rate[i] = slope * cells.length[i];
-  }
-  return cells;
-}
-
-double slab(double x) { return x >= 1.4 && x < 3 ? 1.025 : 0.025; }
-double ramp(double x) { return 0.2 + 0.3 * x; }
 
 struct Expected {
   std::vector<long double> position, velocity, density;
@@ -96,7 +61,7 @@ TEST(GravitatingSheets, FollowTheFormulasFromRest) {
 }
 
 TEST(GravitatingSheets, FollowTheFormulasWithInitialVelocities) {
-  for (const double slope : {-0.05, 0.0, 0.4})
+  for (const double slope : {-0.03, 0.0, 0.4})
     for (const double time : {0.5, 3.0, 7.5}) {
       const SheetCells cells = moving_cells(ramp, 0.0015, -0.3, slope);
       EXPECT_TRUE(follows_formulas(cells, time, cells)) << slope << ", " << time;

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <string>
 
 #include "mote/integrators/all.hpp"
+#include "support/typed_lists.hpp"
 #include "systems.hpp"
 
 namespace mote::test {
@@ -39,23 +39,9 @@ testing::AssertionResult has_order(int order) {
   return testing::AssertionFailure() << "error " << coarser << ", ceiling " << ceiling;
 }
 
-template <class List>
-struct TypesOf;
-template <class... T>
-struct TypesOf<TypeList<T...>> {
-  using type = testing::Types<T...>;
-};
-
-struct MethodName {
-  template <class Method>
-  static std::string GetName(int) {
-    return std::string(Method::name);
-  }
-};
-
 template <class Method>
 struct IntegratorOrder : testing::Test {};
-TYPED_TEST_SUITE(IntegratorOrder, TypesOf<Integrators>::type, MethodName);
+TYPED_TEST_SUITE(IntegratorOrder, TypesOf<Integrators>::type, NameOfType);
 
 TYPED_TEST(IntegratorOrder, IsObservedOnForcedOscillators) {
   EXPECT_TRUE(has_order<TypeParam>(TypeParam::order));

@@ -4,6 +4,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <ostream>
 
 #include "support/brute_force.hpp"
 #include "support/clouds.hpp"
@@ -51,6 +52,8 @@ bool ascends(const Points<1>& points, const NeighbourLists& lists) {
 struct Line {
   const char* name;
   Points<1> (*points)();
+
+  friend void PrintTo(const Line& line, std::ostream* out) { *out << line.name; }
 };
 
 Points<1> random_line() {

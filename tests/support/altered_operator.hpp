@@ -2,18 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "mote/operators/differential/differential_operator.hpp"
 
 namespace mote::test {
 
-/// An operator of which the largest weight of one receiver is wrong by a small part: what a check
-/// must notice.
+/// An operator of which the largest weight of one receiver, or of every one, is wrong by a part:
+/// what a check must notice.
 template <int D, class Right>
 class AlteredOperator final : public DifferentialOperator<D> {
  public:
-  AlteredOperator(Right right, Index receiver, double part)
+  AlteredOperator(Right right, std::optional<Index> receiver, double part)
       : right_(std::move(right)), receiver_(receiver), factor_(1 + part) {}
 
   void describe(Description& description) override { right_.describe(description); }
@@ -23,18 +24,18 @@ class AlteredOperator final : public DifferentialOperator<D> {
   }
   void gradient_weights(Index i, std::span<Vec<D>> weights) const override {
     right_.gradient_weights(i, weights);
-    if (i != receiver_) return;
+    if (receiver_ && i != *receiver_) return;
     *std::ranges::max_element(weights, {}, [](const Vec<D>& g) { return g.norm(); }) *= factor_;
   }
   void laplacian_weights(Index i, std::span<double> weights) const override {
     right_.laplacian_weights(i, weights);
-    if (i != receiver_) return;
+    if (receiver_ && i != *receiver_) return;
     *std::ranges::max_element(weights, {}, [](double l) { return std::abs(l); }) *= factor_;
   }
 
  private:
   Right right_;
-  Index receiver_;
+  std::optional<Index> receiver_;
   double factor_;
 };
 

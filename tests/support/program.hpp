@@ -64,7 +64,8 @@ struct Outcome {
 /// A running mote, its output in files of its own folder.
 class Program {
  public:
-  explicit Program(const std::vector<std::string>& arguments, const std::string& program = MOTE_PROGRAM) {
+  explicit Program(const std::vector<std::string>& arguments,
+                   const std::string& program = MOTE_PROGRAM) {
     std::vector<std::string> words{program};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
@@ -95,9 +96,7 @@ class Program {
 };
 
 /// Runs mote with these arguments to its end.
-inline Outcome mote(const std::vector<std::string>& arguments) {
-  return Program(arguments).wait();
-}
+inline Outcome mote(const std::vector<std::string>& arguments) { return Program(arguments).wait(); }
 
 /// Waits until a file exists; false after `seconds`.
 inline bool wait_for_file(const fs::path& path, double seconds = 20) {

@@ -37,7 +37,8 @@ TEST(ErrorNorms, OfWhatIsNotANumberIsNotANumber) {
 }
 
 TEST(Drifts, AreRelativeToTheScale) {
-  const auto result = drifts({{"mass", 2, 2}, {"momentum", 0, 0}}, {{"mass", 3, 3}, {"momentum", 1, 4}});
+  const auto result =
+      drifts({{"mass", 2, 2}, {"momentum", 0, 0}}, {{"mass", 3, 3}, {"momentum", 1, 4}});
   EXPECT_DOUBLE_EQ(result[0].drift, 1.0 / 3);
   EXPECT_DOUBLE_EQ(result[1].drift, 0.25);
 }

@@ -21,8 +21,8 @@ json summary_of(const fs::path& out, const std::vector<std::string>& assignments
 
 TEST(Run, LeavesTheFilesOfTheContract) {
   const TemporaryFolder folder;
-  const auto outcome = mote({"run", MOTE_SCENARIOS "/gravity/trapezoid.yaml", "--out",
-                             (folder / "out").string()});
+  const auto outcome =
+      mote({"run", MOTE_SCENARIOS "/gravity/trapezoid.yaml", "--out", (folder / "out").string()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, HasSubstr("picture: " + (folder / "out/fields.png").string()));
   EXPECT_THAT(outcome.output, HasSubstr("report:  " + (folder / "out/report.md").string()));
@@ -51,8 +51,8 @@ TEST(Run, SummaryHasTheKeysOfTheContract) {
 
 TEST(Run, FailedCheckIsExitCodeOneAndSaidInTheReport) {
   const TemporaryFolder folder;
-  const auto outcome = mote(
-      run_arguments("gravity/trapezoid.yaml", folder / "out", {"check.density=1e-9"}));
+  const auto outcome =
+      mote(run_arguments("gravity/trapezoid.yaml", folder / "out", {"check.density=1e-9"}));
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(read(folder / "out/report.md"), HasSubstr("**A check failed.**"));
   EXPECT_EQ(json::parse(read(folder / "out/summary.json"))["passed"], false);
@@ -107,8 +107,8 @@ TEST(Run, HistoryEndsWithTheSummary) {
 TEST(Run, UnequalStepsAreShortenedToHitTheSnapshots) {
   const TemporaryFolder folder;
   const json summary = summary_of(
-      folder / "out", {"time.step=0.004", "time.end=1.0", "output.every=0.3",
-                       "time.integrator=velocity_verlet"});
+      folder / "out",
+      {"time.step=0.004", "time.end=1.0", "output.every=0.3", "time.integrator=velocity_verlet"});
   EXPECT_EQ(summary["time"], 1.0);
   EXPECT_EQ(summary["steps"], 75 + 75 + 75 + 25);
   EXPECT_LT(summary["errors"]["position"]["max"], 1e-14);
@@ -116,8 +116,8 @@ TEST(Run, UnequalStepsAreShortenedToHitTheSnapshots) {
 
 TEST(Check, ResolvesAndEstimatesAndRunsNothing) {
   const TemporaryFolder folder;
-  const auto outcome = mote({"check", MOTE_SCENARIOS "/gravity/trapezoid.yaml", "--set",
-                             "operator=mps"});
+  const auto outcome =
+      mote({"check", MOTE_SCENARIOS "/gravity/trapezoid.yaml", "--set", "operator=mps"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.output, HasSubstr("smoothing_length: 2"));
   EXPECT_THAT(outcome.output, HasSubstr("41 particles, 30000 steps, 11 snapshots"));

@@ -67,7 +67,8 @@ TEST(Snapshot, ThatIsCutShortIsRefused) {
 
 TEST(Csv, NamesComponentsByAxis) {
   const std::string text = csv_of(cloud_in(2));
-  EXPECT_THAT(text, testing::StartsWith("id,x,y,velocity_x,velocity_y,density,nothing\n0,0.4761904"));
+  EXPECT_THAT(text,
+              testing::StartsWith("id,x,y,velocity_x,velocity_y,density,nothing\n0,0.4761904"));
 }
 
 }  // namespace

@@ -22,8 +22,8 @@ std::vector<std::string> long_arguments(const fs::path& out, int threads) {
 /// Two runs are the same if all their snapshots, their times and their history are.
 void expect_same_results(const fs::path& a, const fs::path& b) {
   for (int frame = 0; frame <= 40; ++frame) {
-    const auto name = fs::path("snapshots") / (std::string(frame < 10 ? "00000" : "0000") +
-                                               std::to_string(frame) + ".hdf");
+    const auto name = fs::path("snapshots") /
+                      (std::string(frame < 10 ? "00000" : "0000") + std::to_string(frame) + ".hdf");
     ASSERT_TRUE(fs::exists(a / name)) << name;
     EXPECT_EQ(read(a / name), read(b / name)) << name;
   }

@@ -1,0 +1,75 @@
+// Options that each are right and do not go together, and checks that cannot be.
+
+#include "bad_input/harness.hpp"
+
+namespace mote::test {
+namespace {
+
+class Contradiction : public BadScenario {};
+TEST_P(Contradiction, IsRefused) { expect_refused(); }
+
+const std::vector<ScenarioCase> contradictions{
+    {"exact_solution_with_viscosity",
+     lines({{9, "model: {type: pressureless_gas, gravity: G, viscosity: 0.01}"},
+            {14, "  against: @gravitating_sheets"}}),
+     "gravitating_sheets has no viscosity, this gas has"},
+    {"mass_over_volume_where_points_stand",
+     line(9, "model: {type: pressureless_gas, frame: eulerian, density: @mass_over_volume}"),
+     "points that stand still keep their volume"},
+    {"mass_over_volume_by_differences",
+     lines({{9, "model: {type: pressureless_gas, density: @mass_over_volume}"},
+            {10, "operator: finite_difference"}}),
+     "points that stand still keep their volume"},
+    {"differences_without_extension",
+     lines({{4, "domain: {lower: [0], upper: [L], extension: @0}"},
+            {10, "operator: finite_difference"}}),
+     "finite_difference needs 1 cell beyond each end, and 'extension' is 0"},
+    {"kernel_of_mps", line(10, "operator: {family: mps, @kernel: gauss}"),
+     "unknown key 'kernel' in section 'operator'"},
+    {"cutoff_of_gauss", line(10, "operator: {family: sph, kernel: gauss, @cutoff: 2}"),
+     "unknown key 'cutoff' in section 'operator'"},
+    {"smoothing_length_of_differences",
+     line(10, "operator: {family: finite_difference, @smoothing_length: 1}"),
+     "unknown key 'smoothing_length' in section 'operator'"},
+    {"gravity_negative", line(9, "model: {type: pressureless_gas, gravity: @-G}"),
+     "'gravity' must be at least 0, and is -0.0015"},
+    {"viscosity_negative", line(9, "model: {type: pressureless_gas, viscosity: @-1}"),
+     "'viscosity' must be at least 0, and is -1"},
+    {"smoothing_length_zero",
+     line(10, "operator: {family: sph, kernel: gauss, smoothing_length: @0}"),
+     "'smoothing_length' must be greater than 0, and is 0"},
+    {"smoothing_length_negative", line(10, "operator: {family: mps, smoothing_length: @-2}"),
+     "'smoothing_length' must be greater than 0, and is -2"},
+    {"cutoff_zero", line(10, "operator: {family: sph, kernel: truncated_gauss, cutoff: @0}"),
+     "'cutoff' must be from 0.1 to 100, and is 0"},
+    {"cutoff_huge", line(10, "operator: {family: sph, kernel: truncated_gauss, cutoff: @1e9}"),
+     "'cutoff' must be from 0.1 to 100, and is 1000000000"}};
+INSTANTIATE_TEST_SUITE_P(Table, Contradiction, testing::ValuesIn(contradictions), by_label);
+
+class BadLimit : public BadScenario {};
+TEST_P(BadLimit, IsRefused) { expect_refused(); }
+
+const std::vector<ScenarioCase> bad_limits{
+    {"negative", line(15, "  position: @-0.01"), "'position' must be greater than 0, and is -0.01"},
+    {"zero", line(15, "  position: @0"), "'position' must be greater than 0, and is 0"},
+    {"nan", line(15, "  position: @.nan"), "finite decimal number, not '.nan'"},
+    {"infinite", line(15, "  position: @.inf"), "finite decimal number, not '.inf'"},
+    {"text", line(15, "  position: @small"), "'position' must be a number"},
+    {"drift_negative", line(15, "  drift: {mass: @-1e-9}"), "'mass' must be greater than 0"},
+    {"where_points_stand", line(15, "  eulerian: {density: @-1}"),
+     "'density' must be greater than 0"}};
+INSTANTIATE_TEST_SUITE_P(Table, BadLimit, testing::ValuesIn(bad_limits), by_label);
+
+/// The name becomes the name of a folder in results/.
+class BadName : public BadScenario {};
+TEST_P(BadName, IsRefused) { expect_refused(); }
+
+const std::vector<ScenarioCase> bad_names{
+    {"leads_out_of_the_folder", line(1, "name: @../base"), "name"},
+    {"is_the_folder_above", line(1, "name: @.."), "name"},
+    {"is_an_absolute_path", line(1, "name: @/tmp/base"), "name"},
+    {"is_too_long_for_a_folder", line(1, "name: @" + std::string(300, 'a')), "name"}};
+INSTANTIATE_TEST_SUITE_P(Table, BadName, testing::ValuesIn(bad_names), by_label);
+
+}  // namespace
+}  // namespace mote::test

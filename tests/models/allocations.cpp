@@ -1,0 +1,105 @@
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <memory>
+
+#include "counted_memory.hpp"
+#include "mote/integrators/all.hpp"
+#include "mote/particles/failure.hpp"
+#include "support/line_gas.hpp"
+#include "support/operators_on_a_line.hpp"
+
+namespace mote::test {
+namespace {
+
+/// Every way to run the gas that makes it use its operator, as far as the options go together.
+std::vector<PressurelessGasOptions> ways_to_run() {
+  std::vector<PressurelessGasOptions> ways;
+  for (const GravityForm form : {GravityForm::sheets, GravityForm::potential})
+    for (const FrameChoice frame : {FrameChoice::lagrangian, FrameChoice::eulerian})
+      for (const DensityForm density : {DensityForm::mass_over_volume, DensityForm::continuity})
+        for (const double viscosity : {0.0, 1e-3})
+          if (frame == FrameChoice::lagrangian || density == DensityForm::continuity)
+            ways.push_back({.gravity = 0.0015,
+                            .viscosity = viscosity,
+                            .gravity_form = form,
+                            .density = density,
+                            .frame = frame});
+  return ways;
+}
+
+/// Takes one step, and asks whether the model can go on from there.
+bool step_holds(PressurelessGas& model, Integrator& integrator, int k) {
+  constexpr double step = 0.0025;
+  integrator.advance_one_step(model, k * step, step);
+  model.update_dependent_fields();
+  const long before = allocations();
+  try {
+    model.inspect();
+  } catch (const NumericalFailure&) {
+    return false;
+  }
+  EXPECT_EQ(allocations(), before);
+  return true;
+}
+
+/// Memory that 200 steps after the first ask for, or as many as the particles do not cross in. The
+/// flow brings particles together in places, so that lists of neighbours change and grow.
+long allocations_after_first_step(const PressurelessGasOptions& options, OperatorOnALine op,
+                                  Integrator& integrator) {
+  LineGas gas = trapezoid();
+  gas.velocity = [](double x) { return 0.2 * std::sin(2 * x); };
+  PressurelessGas model = make_gas(gas, options, 41, std::move(op));
+  EXPECT_TRUE(step_holds(model, integrator, 0));
+  const long before = allocations();
+  for (int k = 1; k <= 200; ++k) {
+    const long so_far = allocations() - before;
+    if (!step_holds(model, integrator, k)) return so_far;
+  }
+  return allocations() - before;
+}
+
+struct RightHandSide : testing::TestWithParam<NamedOperator> {};
+
+TEST_P(RightHandSide, AllocatesNothingAfterTheFirstStep) {
+  omp_set_num_threads(2);
+  for (const auto& options : ways_to_run())
+    for_each_type(Integrators{}, [&]<class Method>() {
+      Method method;
+      EXPECT_EQ(allocations_after_first_step(options, GetParam().make(), method), 0)
+          << Method::name << ", viscosity " << options.viscosity << ", frame "
+          << static_cast<int>(options.frame) << ", density " << static_cast<int>(options.density)
+          << ", gravity_form " << static_cast<int>(options.gravity_form);
+    });
+}
+
+INSTANTIATE_TEST_SUITE_P(, RightHandSide, testing::ValuesIn(operators_on_a_line()),
+                         [](const auto& op) { return op.param.name; });
+
+TEST(AllocationCount, NoticesEveryKindOfNew) {
+  const long before = allocations();
+  const auto one = std::make_unique<double>(1);
+  const auto many = std::make_unique<double[]>(10);
+  const std::vector<Vec<2>> vectors(5);
+  struct alignas(64) Line {
+    double values[8];
+  };
+  const auto line = std::make_unique<Line>();
+  EXPECT_EQ(allocations() - before, 4);
+}
+
+/// A method that keeps no work arrays.
+struct WastefulEuler : Integrator {
+  void advance_one_step(System& system, double time, double step) override {
+    const auto copy = std::make_unique<SymplecticEuler>();
+    copy->advance_one_step(system, time, step);
+  }
+};
+
+TEST(AllocationCount, RejectsAMethodThatAllocatesEveryStep) {
+  WastefulEuler wasteful;
+  EXPECT_GE(allocations_after_first_step({.gravity = 0.0015}, sph_gauss(), wasteful), 200);
+}
+
+}  // namespace
+}  // namespace mote::test
