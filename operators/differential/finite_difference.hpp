@@ -9,9 +9,8 @@
 namespace mote {
 
 /// Central differences on the ordered points of a line, of any spacing: the three-point formulas
-/// that are exact for parabolas. With a = x_i - x_left and b = x_right - x_i,
-///   g_left = -b/(a (a + b)),  g_right = a/(b (a + b)),
-///   l_left = 2/(a (a + b)),   l_right = 2/(b (a + b)).
+/// that are exact for parabolas. With a = x_j - x_i of one neighbour and b that of the other,
+///   g_ij = b/(a (b - a)),   l_ij = 2/(a (a - b)).
 template <int D>
 class FiniteDifference final : public DifferentialOperator<D> {
   static_assert(D == 1);
@@ -28,22 +27,23 @@ class FiniteDifference final : public DifferentialOperator<D> {
     points_ = &points;
     lists_ = &lists;
     for (Index i = 0; i < points.receivers; ++i) {
-      if (lists[i].size() == 2 && spacing(i, 0) < 0 && spacing(i, 1) > 0) continue;
+      if (lists[i].size() == 2 && spacing(i, 0) * spacing(i, 1) < 0) continue;
       throw NumericalFailure("particle " + std::to_string(i) + " has no point on each side", {i},
                              "central differences need a point on both sides of every particle");
     }
   }
 
   void gradient_weights(Index i, std::span<Vec<1>> weights) const override {
-    const double a = -spacing(i, 0), b = spacing(i, 1);
-    weights[0][0] = -b / (a * (a + b));
-    weights[1][0] = a / (b * (a + b));
+    // With signed distances a, b to the two neighbours the formulas are the same for both.
+    const double a = spacing(i, 0), b = spacing(i, 1);
+    weights[0][0] = b / (a * (b - a));
+    weights[1][0] = a / (b * (a - b));
   }
 
   void laplacian_weights(Index i, std::span<double> weights) const override {
-    const double a = -spacing(i, 0), b = spacing(i, 1);
-    weights[0] = 2 / (a * (a + b));
-    weights[1] = 2 / (b * (a + b));
+    const double a = spacing(i, 0), b = spacing(i, 1);
+    weights[0] = 2 / (a * (a - b));
+    weights[1] = 2 / (b * (b - a));
   }
 
  private:

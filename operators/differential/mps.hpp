@@ -79,7 +79,9 @@ class Mps final : public DifferentialOperator<D> {
 
   void refuse_bad_neighbourhoods() const {
     for (Index i = 0; i < points_->receivers; ++i) {
-      if (number_density_[i] > 0 && std::isfinite(lambda_[i])) continue;
+      // A neighbour on the rim has the weight 0, or what rounding makes of it: that is none.
+      constexpr double rounding = 1e-9;
+      if (number_density_[i] > rounding && std::isfinite(lambda_[i])) continue;
       const bool coincident = !std::isfinite(number_density_[i]);
       const std::string what = coincident ? " coincides with another" : " has no neighbour";
       throw NumericalFailure("particle " + std::to_string(i) + what, {i},

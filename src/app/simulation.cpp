@@ -29,7 +29,13 @@ InitialValue initial_value(const Scenario& scenario) {
   };
 }
 
-LineSetup line_setup(Scenario& scenario, const Catalogue& catalogue) {
+std::unique_ptr<DifferentialOperator<1>> on_a_line(std::unique_ptr<AnyOperator> any) {
+  return std::unique_ptr<DifferentialOperator<1>>(
+      dynamic_cast<DifferentialOperator<1>*>(any.release()));
+}
+
+/// All that a model is made from but the operator.
+LineSetup line_setup(const Scenario& scenario, const Catalogue& catalogue) {
   LineSetup setup;
   setup.lower = scenario.domain.lower[0];
   setup.upper = scenario.domain.upper[0];
@@ -45,9 +51,26 @@ LineSetup line_setup(Scenario& scenario, const Catalogue& catalogue) {
                      fmt::format("{} particles between {} and {} lie closer "
                                  "than numbers can tell",
                                  scenario.particles.count, setup.lower, setup.upper));
-  setup.differential_operator.reset(
-      dynamic_cast<DifferentialOperator<1>*>(scenario.differential_operator.release()));
   return setup;
+}
+
+/// The start of the run on finer cells. Standing points see the gas between the particles too, and
+/// the particles' own cells would be too coarse a measure of that.
+std::unique_ptr<Model> finely_divided(const Scenario& scenario, const Catalogue& catalogue) {
+  LineSetup setup = line_setup(scenario, catalogue);
+  const auto count = static_cast<int>(setup.cells.centre.size());
+  const int pieces = std::clamp(1'000'000 / count, 1, 50);
+  Cells fine;
+  for (int i = 0; i < count; ++i)
+    for (int k = 0; k < pieces; ++k) {
+      const double part = (k + 0.5) / pieces - 0.5;
+      fine.centre.push_back(setup.cells.centre[i] + part * setup.cells.length[i]);
+      fine.length.push_back(setup.cells.length[i] / pieces);
+    }
+  setup.cells = std::move(fine);
+  setup.differential_operator =
+      on_a_line(catalogue.make_operator(scenario.family, scenario.kernel, 1));
+  return scenario.model->make(std::move(setup));
 }
 
 }  // namespace
@@ -77,7 +100,9 @@ void Simulation::build(const Document& document, const Catalogue& catalogue) {
         "{}: warning: the region goes on for {} cells beyond its ends, but the operator reaches "
         "{:.3g}: derivatives near the ends miss neighbours",
         document.locate("domain.extension"), *scenario_.domain.extension, rule.reach()));
-  model_ = scenario_.model->make(line_setup(scenario_, catalogue));
+  LineSetup setup = line_setup(scenario_, catalogue);
+  setup.differential_operator = on_a_line(std::move(scenario_.differential_operator));
+  model_ = scenario_.model->make(std::move(setup));
   integrator_ = entry_named(catalogue.integrators, scenario_.time.integrator).make();
   conserved_at_start_ = model_->conserved();
   const StepLimit limit = scenario_.model->step_limit(model_->cloud());
@@ -91,8 +116,11 @@ void Simulation::build(const Document& document, const Catalogue& catalogue) {
 void Simulation::make_exact(const Catalogue& catalogue) {
   const std::string& against = scenario_.check.against;
   if (against == "nothing") return;
-  exact_ =
-      entry_named(catalogue.exact_solutions, against).make(model_->cloud(), model_->parameters());
+  const auto& solution = entry_named(catalogue.exact_solutions, against);
+  const bool lagrangian = model_->frame() == Frame::lagrangian;
+  const std::unique_ptr<Model> fine = lagrangian ? nullptr : finely_divided(scenario_, catalogue);
+  const Model& start = lagrangian ? *model_ : *fine;
+  exact_ = solution.make(start.cloud(), start.parameters());
   if (scenario_.time.end >= exact_->valid_until())
     throw InputError("time.end",
                      fmt::format("the exact solution {} ends at t = {:.6g}, before the run does "

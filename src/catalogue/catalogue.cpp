@@ -6,6 +6,14 @@
 
 namespace mote {
 
+std::unique_ptr<AnyOperator> Catalogue::make_operator(const std::string& family,
+                                                      const std::string& kernel,
+                                                      std::int64_t dimension) const {
+  for (const OperatorEntry& entry : operators)
+    if (entry.family == family && entry.kernel == kernel) return entry.make(dimension);
+  return nullptr;
+}
+
 Catalogue standard_catalogue() {
   Catalogue catalogue;
   for_each_kernel(Kernels{},

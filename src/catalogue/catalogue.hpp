@@ -56,6 +56,11 @@ struct Catalogue {
   std::vector<LayoutEntry> layouts;
   std::vector<ExactEntry> exact_solutions;
 
+  /// Makes an operator with default options; null if there is none of these names in this
+  /// dimension.
+  std::unique_ptr<AnyOperator> make_operator(const std::string& family, const std::string& kernel,
+                                             std::int64_t dimension) const;
+
   /// Adds a kernel, and with it an operator for each of mote's families built on kernels.
   template <template <int> class Kernel>
   void add_kernel();
@@ -93,7 +98,7 @@ Choice choice_of() {
 
 /// Makes Operator<dimension>, or nothing beyond its highest dimension.
 template <template <int> class Operator>
-std::unique_ptr<AnyOperator> make_operator(std::int64_t dimension) {
+std::unique_ptr<AnyOperator> new_operator(std::int64_t dimension) {
   constexpr int highest = Operator<1>::highest_dimension;
   if (dimension == 1) return std::make_unique<Operator<1>>();
   if constexpr (highest >= 2)
@@ -116,14 +121,14 @@ void Catalogue::add_kernel() {
   for_each_kernel_family(KernelFamilies{}, [&]<template <int, class> class Family>() {
     operators.push_back({std::string(Family<1, Kernel<1>>::family), std::string(Kernel<1>::name),
                          std::string(Kernel<1>::summary),
-                         make_operator<OnKernel<Family, Kernel>::template Operator>});
+                         new_operator<OnKernel<Family, Kernel>::template Operator>});
   });
 }
 
 template <template <int> class Family>
 void Catalogue::add_family() {
   operators.push_back(
-      {std::string(Family<1>::family), "", std::string(Family<1>::summary), make_operator<Family>});
+      {std::string(Family<1>::family), "", std::string(Family<1>::summary), new_operator<Family>});
 }
 
 template <class Method>

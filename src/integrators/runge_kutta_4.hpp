@@ -1,11 +1,11 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <string_view>
 #include <vector>
 
 #include "mote/integrators/integrator.hpp"
+#include "mote/integrators/kept_values.hpp"
 
 namespace mote {
 
@@ -23,69 +23,61 @@ class RungeKutta4 final : public Integrator {
     };
     static constexpr std::array<Stage, 4> stages{
         {{0, 1.0 / 6}, {0.5, 1.0 / 3}, {0.5, 1.0 / 3}, {1, 1.0 / 6}}};
-    keep_start(system);
+    Rates* const parts[] = {&drifted_, &kicked_};
+    drifted_.start(system.drifted());
+    kicked_.start(system.kicked());
     for (std::size_t s = 0; s < stages.size(); ++s) {
       const double now = time + stages[s].node * step;
       system.prepare(now);
       system.update_kick_rates(now);
       system.update_drift_rates(now);
-      add_rates(system, stages[s].weight);
-      if (s + 1 < stages.size()) go_from_start(system, stages[s + 1].node * step);
+      for (Rates* part : parts) part->take(stages[s].weight);
+      const double to_next = s + 1 < stages.size() ? stages[s + 1].node * step : 0;
+      for (Rates* part : parts) part->go_on(to_next);
     }
-    return_to_start(system);
-    drift(with_mean_rates(system.drifted(), 0), step);
-    kick(with_mean_rates(system.kicked(), system.drifted().size()), step);
+    drift(drifted_.mean(), step);
+    kick(kicked_.mean(), step);
   }
 
  private:
-  /// Calls visit(part, evolving) for the drifted and then the kicked parts.
-  template <class Visit>
-  static void for_each_part(System& system, Visit visit) {
-    std::size_t part = 0;
-    for (const Evolving& evolving : system.drifted()) visit(part++, evolving);
-    for (const Evolving& evolving : system.kicked()) visit(part++, evolving);
-  }
+  /// Rates of one half of a system. A rate may be a value of the other half (dx/dt = v), so a
+  /// stage's rates are copied before any value moves.
+  class Rates {
+   public:
+    void start(std::span<const Evolving> parts) {
+      kept_.keep(parts);
+      rate_.resize(parts.size());
+      mean_rate_.resize(parts.size());
+      stage_.clear();
+      mean_.clear();
+      parts_ = parts;
+      for (std::size_t part = 0; part < parts.size(); ++part) {
+        rate_[part].resize(parts[part].value.size());
+        mean_rate_[part].assign(parts[part].value.size(), 0);
+        stage_.push_back({parts[part].value, rate_[part]});
+        mean_.push_back({parts[part].value, mean_rate_[part]});
+      }
+    }
 
-  void keep_start(System& system) {
-    const std::size_t parts = system.drifted().size() + system.kicked().size();
-    for (auto* room : {&start_, &rate_, &mean_rate_}) room->resize(parts);
-    for_each_part(system, [&](std::size_t part, const Evolving& evolving) {
-      start_[part].assign(evolving.value.begin(), evolving.value.end());
-      mean_rate_[part].assign(evolving.value.size(), 0);
-    });
-  }
+    void take(double weight) {
+      for (std::size_t part = 0; part < parts_.size(); ++part)
+        for (std::size_t i = 0; i < rate_[part].size(); ++i) {
+          rate_[part][i] = parts_[part].rate[i];
+          mean_rate_[part][i] += weight * rate_[part][i];
+        }
+    }
 
-  /// Takes a stage's rates, all before any value changes: a rate may be another part's value.
-  void add_rates(System& system, double weight) {
-    for_each_part(system, [&](std::size_t part, const Evolving& evolving) {
-      rate_[part].assign(evolving.rate.begin(), evolving.rate.end());
-      for (std::size_t i = 0; i < rate_[part].size(); ++i)
-        mean_rate_[part][i] += weight * rate_[part][i];
-    });
-  }
+    void go_on(double step) { kept_.go_on(stage_, step); }
+    std::span<const Evolving> mean() const { return mean_; }
 
-  void go_from_start(System& system, double step) {
-    for_each_part(system, [&](std::size_t part, const Evolving& evolving) {
-      for (std::size_t i = 0; i < evolving.value.size(); ++i)
-        evolving.value[i] = start_[part][i] + step * rate_[part][i];
-    });
-  }
+   private:
+    KeptValues kept_;
+    std::span<const Evolving> parts_;
+    std::vector<std::vector<double>> rate_, mean_rate_;
+    std::vector<Evolving> stage_, mean_;
+  };
 
-  void return_to_start(System& system) {
-    for_each_part(system, [&](std::size_t part, const Evolving& evolving) {
-      std::ranges::copy(start_[part], evolving.value.begin());
-    });
-  }
-
-  /// The same parts with the mean rates of the step, which are kept from part `first` on.
-  std::span<const Evolving> with_mean_rates(std::span<const Evolving> parts, std::size_t first) {
-    averaged_.clear();
-    for (const Evolving& part : parts) averaged_.push_back({part.value, mean_rate_[first++]});
-    return averaged_;
-  }
-
-  std::vector<std::vector<double>> start_, rate_, mean_rate_;
-  std::vector<Evolving> averaged_;
+  Rates drifted_, kicked_;
 };
 
 }  // namespace mote

@@ -21,6 +21,10 @@ class System {
   virtual std::span<const Evolving> drifted() = 0;
   virtual std::span<const Evolving> kicked() = 0;
 
+  /// Whether drift rates follow from the kicked values alone, as dx/dt = v does. Not so for a
+  /// density that is carried by the continuity equation.
+  virtual bool drifts_freely() const = 0;
+
   /// Called whenever drifted values have changed, before rates are wanted: neighbours, sums.
   virtual void prepare(double time) = 0;
   virtual void update_drift_rates(double time) = 0;

@@ -45,6 +45,7 @@ class PressurelessGas final : public Model {
 
   std::span<const Evolving> drifted() override { return drifted_; }
   std::span<const Evolving> kicked() override { return kicked_; }
+  bool drifts_freely() const override { return !continuity_; }
   void prepare(double time) override;
   void update_drift_rates(double time) override;
   void update_kick_rates(double time) override;

@@ -55,7 +55,10 @@ void LineSearch::find(const Points<1>& points, const NeighbourRule& rule, Neighb
     if (order_[rank] < points.receivers)
       lists.start[order_[rank] + 1] = visit(points, rule, rank, [](Index, Index) {});
   std::partial_sum(lists.start.begin(), lists.start.end(), lists.start.begin());
-  lists.neighbour.resize(static_cast<std::size_t>(lists.start.back()));
+  const auto pairs = static_cast<std::size_t>(lists.start.back());
+  // Room to spare: moving points may meet more neighbours, and a step should not allocate.
+  if (lists.neighbour.capacity() < pairs) lists.neighbour.reserve(2 * pairs);
+  lists.neighbour.resize(pairs);
 #pragma omp parallel for schedule(static) if (parallel_from <= size)
   for (Index rank = 0; rank < size; ++rank) {
     if (order_[rank] >= points.receivers) continue;

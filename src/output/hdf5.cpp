@@ -7,7 +7,7 @@
 namespace mote::hdf5 {
 namespace {
 
-/// Creation properties of data sets or groups without times, members in order of creation.
+/// Creation properties of files, data sets or groups without times, members in order of creation.
 Handle untimed(hid_t type) {
   Handle properties(H5Pcreate(type), H5Pclose, "creation properties");
   require(H5Pset_obj_track_times(properties, false), "creation properties");
@@ -59,7 +59,7 @@ Handle create_file(const std::string& path) {
   // The format of HDF5 1.8 has checksums over everything but the data.
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
   require(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18), "file format");
-  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose,
+  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, untimed(H5P_FILE_CREATE), access), H5Fclose,
           "cannot write this file"};
 }
 

@@ -6,6 +6,6 @@ namespace mote {
 
 /// Loops over fewer particles than this run on one thread: waking the others costs more. Results
 /// do not depend on it.
-inline constexpr Index parallel_from = 1000;
+inline constexpr Index parallel_from = 4000;
 
 }  // namespace mote

@@ -65,12 +65,9 @@ Choices kernels_of(const Catalogue& catalogue, const std::string& family) {
 
 void describe_kernel(Description& d, Scenario& scenario, const Catalogue& catalogue,
                      const std::string& family, const std::string& kernel) {
-  const auto entry = std::ranges::find_if(catalogue.operators, [&](const OperatorEntry& e) {
-    return e.family == family && e.kernel == kernel;
-  });
-  if (entry == catalogue.operators.end()) return;
   if (!scenario.differential_operator || scenario.family != family || scenario.kernel != kernel)
-    scenario.differential_operator = entry->make(std::max<std::int64_t>(1, scenario.dimension));
+    scenario.differential_operator =
+        catalogue.make_operator(family, kernel, std::max<std::int64_t>(1, scenario.dimension));
   scenario.family = family;
   scenario.kernel = kernel;
   if (scenario.differential_operator) scenario.differential_operator->describe(d);

@@ -9,9 +9,9 @@ namespace mote::test {
 namespace {
 
 /// A run that takes a second or so and uses the operator: enough particles for several threads.
-const std::vector<std::string> long_run{"particles.count=1500", "model.density=continuity",
-                                        "time.end=0.5",         "time.step=0.00125",
-                                        "output.every=0.0125",  "output.history=3"};
+const std::vector<std::string> long_run{"particles.count=5000", "model.density=continuity",
+                                        "time.end=0.1",         "time.step=0.0005",
+                                        "output.every=0.0025",  "output.history=3"};
 
 std::vector<std::string> long_arguments(const fs::path& out, int threads) {
   auto arguments = run_arguments("gravity/trapezoid.yaml", out, long_run);
@@ -25,7 +25,7 @@ void expect_same_results(const fs::path& a, const fs::path& b) {
     const auto name = fs::path("snapshots") /
                       (std::string(frame < 10 ? "00000" : "0000") + std::to_string(frame) + ".hdf");
     ASSERT_TRUE(fs::exists(a / name)) << name;
-    EXPECT_EQ(read(a / name), read(b / name)) << name;
+    EXPECT_TRUE(read(a / name) == read(b / name)) << name;
   }
   EXPECT_EQ(read(a / "history.csv"), read(b / "history.csv"));
   EXPECT_EQ(read(a / "snapshots.hdf.series"), read(b / "snapshots.hdf.series"));
@@ -85,7 +85,7 @@ TEST_F(SameBits, WhenAFinishedRunIsResumed) {
 TEST_F(SameBits, AreNotThoseOfAnotherStep) {
   const auto out = folder() / "other";
   auto arguments = long_arguments(out, 1);
-  arguments.insert(arguments.end(), {"--set", "time.step=0.000625"});
+  arguments.insert(arguments.end(), {"--set", "time.step=0.00025"});
   mote(arguments);
   EXPECT_NE(read(whole() / "snapshots/000040.hdf"), read(out / "snapshots/000040.hdf"));
 }

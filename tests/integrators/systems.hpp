@@ -21,6 +21,7 @@ class FreeFall final : public System {
 
   std::span<const Evolving> drifted() override { return drifted_; }
   std::span<const Evolving> kicked() override { return kicked_; }
+  bool drifts_freely() const override { return true; }
   void prepare(double) override {}
   void update_drift_rates(double) override {}
   void update_kick_rates(double) override {}
@@ -49,6 +50,7 @@ class ForcedOscillators final : public System {
 
   std::span<const Evolving> drifted() override { return drifted_; }
   std::span<const Evolving> kicked() override { return kicked_; }
+  bool drifts_freely() const override { return true; }
   void prepare(double time) override {
     for (std::size_t i = 0; i < count; ++i)
       force_[i] = -w[i] * w[i] * position_[i] + std::cos(n * time);

@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
+#include <thread>
+
 #include "mote/output/tables.hpp"
 #include "mote/particles/failure.hpp"
 #include "support/program.hpp"
@@ -51,6 +54,7 @@ TEST_P(Snapshots, OfEqualStatesHaveEqualBytes) {
   const test::TemporaryFolder folder;
   Cloud cloud = cloud_in(GetParam());
   write_snapshot(folder / "a.hdf", {4, 50, 0.1}, "me", cloud);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // times in files are in seconds
   write_snapshot(folder / "b.hdf", {4, 50, 0.1}, "me", cloud);
   EXPECT_EQ(test::read(folder / "a.hdf"), test::read(folder / "b.hdf"));
   cloud.values("density")[1] *= 1 + 1e-15;

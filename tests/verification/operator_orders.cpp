@@ -104,7 +104,15 @@ const std::map<std::string, Promise> promises{
     {"sph_cubic_spline", {{2, 2}, {1.7e-3, 1.7e-3}, {0, -1}, {0.03, 11}}},
     {"mps", {{2, 2}, {1.1e-4, 5.5e-5}, {1, -1}, {3e-4, 110}}}};
 
+/// The printed operator on any kernel that has no line above: what a lattice floor is depends on
+/// the kernel, that disorder takes its orders away does not.
+constexpr Promise printed_sph{{}, {}, {0, -1}, {1, 1000}};
+bool is_new_kernel(const std::string& name) {
+  return name.starts_with("sph_") && !promises.contains(name);
+}
+
 Promise promise_of(const std::string& name) {
+  if (is_new_kernel(name)) return printed_sph;
   const auto found = promises.find(name);
   return found == promises.end() ? consistent : found->second;
 }
@@ -115,6 +123,7 @@ struct OperatorOrder : testing::TestWithParam<NamedOperator> {
 };
 
 TEST_P(OperatorOrder, IsObservedOnALattice) {
+  if (is_new_kernel(GetParam().name)) GTEST_SKIP() << "no floor is known for a new kernel of sph";
   EXPECT_TRUE(show(observe(*op, 64, 2, 0), promise.lattice_order, promise.lattice_ceiling));
 }
 
