@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <regex>
 
 namespace mote {
 namespace {
@@ -57,11 +56,13 @@ int position_of(const mu::Parser::exception_type& error) {
 
 /// muParser would let a formula change its variables.
 void refuse_assignment(const std::string& text) {
-  static const std::regex assignment("(^|[^<>=!])=([^=]|$)");
-  std::smatch match;
-  if (std::regex_search(text, match, assignment))
-    throw ExpressionError("'=' assigns; a comparison is '=='",
-                          static_cast<int>(match.position() + match.length(1)));
+  const std::string padded = " " + text + " ";
+  for (std::size_t k = 1; k + 1 < padded.size(); ++k) {
+    const bool comparison =
+        std::string("<>=!").find(padded[k - 1]) != std::string::npos || padded[k + 1] == '=';
+    if (padded[k] == '=' && !comparison)
+      throw ExpressionError("'=' assigns; a comparison is '=='", static_cast<int>(k) - 1);
+  }
 }
 
 }  // namespace
