@@ -53,9 +53,11 @@ Certificate certificate_of(const Simulation& simulation, const Moment& moment) {
   Certificate certificate = certificate_without_results(simulation, moment);
   certificate.remarks = model.remarks();
   certificate.conservation = drifts(simulation.conserved_at_start(), model.conserved());
-  if (simulation.exact() != nullptr) compare_with_exact(simulation, moment.time, certificate);
-  const auto& check = simulation.scenario().check;
-  add_checks(model.frame() == Frame::lagrangian ? check.lagrangian : check.eulerian, certificate);
+  if (simulation.exact() != nullptr) {
+    compare_with_exact(simulation, moment.time, certificate);
+    certificate.remarks.push_back(simulation.exact()->statement() + ".");
+  }
+  add_checks(simulation.scenario().check.of(model.frame()), certificate);
   return certificate;
 }
 

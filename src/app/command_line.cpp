@@ -136,6 +136,8 @@ int command_line(const Catalogue& catalogue, int argc, const char* const* argv) 
     return bad_input(fmt::format("mote: {}: {}", error.path1().string(), error.code().message()));
   } catch (const std::bad_alloc&) {
     return bad_input("mote: this needs more memory than the machine has");
+  } catch (const std::exception& error) {
+    return bad_input(fmt::format("mote: {}", error.what()));
   }
 }
 

@@ -10,9 +10,6 @@ namespace mote {
 /// simulation. Throws LocatedError.
 Simulation prepare_simulation(const Catalogue& catalogue, const RunOptions& options);
 
-/// Memory that a run on a line takes, about: fields, rates, work arrays and neighbours.
-double bytes_needed(const Scenario& scenario);
-
 /// How a command tells its progress.
 Progress::Style progress_style(const RunOptions& options);
 

@@ -32,10 +32,10 @@ int run(const Catalogue& catalogue, const RunOptions& options) {
   write_file(folder.file("run.yaml"),
              fmt::format("{}\n{}", run_file_mark, simulation.resolved_yaml()));
   const Moment start;
-  folder.begin_history(simulation.conserved_at_start());
-  folder.add_history(start, simulation.conserved_at_start());
+  folder.history().begin(simulation.conserved_at_start());
+  folder.history().add(start, simulation.conserved_at_start());
   folder.add_snapshot(start, simulation.fingerprint(), simulation.model().cloud());
-  return RunLoop(simulation, folder, progress_style(options)).go_on_from(start);
+  return RunLoop(simulation, folder, progress_style(options), start).go_on();
 }
 
 }  // namespace mote

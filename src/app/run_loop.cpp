@@ -14,16 +14,20 @@
 
 namespace mote {
 
-RunLoop::RunLoop(Simulation& simulation, OutputFolder& folder, Progress::Style style)
-    : simulation_(simulation), folder_(folder), style_(style), progress_(style, 1, 0) {}
+RunLoop::RunLoop(Simulation& simulation, OutputFolder& folder, Progress::Style style,
+                 const Moment& start)
+    : simulation_(simulation),
+      folder_(folder),
+      style_(style),
+      progress_(style, simulation.plan().total_steps(), start.step),
+      start_(start),
+      now_(start) {}
 
-int RunLoop::go_on_from(const Moment& start) {
+int RunLoop::go_on() {
   const auto clock_start = std::chrono::steady_clock::now();
-  now_ = start;
-  progress_ = Progress(style_, simulation_.plan().total_steps(), start.step);
   std::string failure;
   try {
-    for (std::int64_t frame = start.frame + 1; frame <= simulation_.plan().frames(); ++frame)
+    for (std::int64_t frame = start_.frame + 1; frame <= simulation_.plan().frames(); ++frame)
       run_to(frame);
   } catch (const NumericalFailure& broken) {
     failure = failure_message(broken.what(), broken.particles(), broken.cause());
@@ -33,7 +37,7 @@ int RunLoop::go_on_from(const Moment& start) {
   Certificate certificate = failure.empty() ? certificate_of(simulation_, now_)
                                             : failed_certificate(simulation_, now_, failure);
   certificate.wall_seconds = wall.count();
-  certificate.steps_timed = now_.step - start.step;
+  certificate.steps_timed = now_.step - start_.step;
   certificate.threads = omp_get_max_threads();
   return conclude(std::move(certificate));
 }
@@ -51,7 +55,7 @@ void RunLoop::run_to(std::int64_t frame) {
     model.inspect();
     const bool last = k == plan.steps_to(frame);
     if (last || now_.step % simulation_.scenario().output.history == 0)
-      folder_.add_history(now_, model.conserved());
+      folder_.history().add(now_, model.conserved());
     progress_.step_done(now_.step, now_.time);
   }
   now_.frame = frame;
@@ -106,6 +110,7 @@ void RunLoop::print_outcome(const Certificate& c, const std::string& picture) co
       fmt::print("  {:<28} {:<10.3g} limit {:<10.3g} {}\n", check.name, check.value, check.limit,
                  check.passed() ? "passed" : "FAILED");
     if (c.checks.empty()) fmt::print("  the scenario states no check\n");
+    if (c.pair_work.evaluations == 0) fmt::print("  no derivative was needed: see the report\n");
   }
   if (!picture.empty()) fmt::print("picture: {}\n", folder_.file(picture).string());
   fmt::print("report:  {}\n", folder_.file("report.md").string());

@@ -8,14 +8,14 @@
 
 namespace mote {
 
-/// Steps a simulation from `start` to its end with snapshots and history, writes the certificate
-/// and the picture, and says how it went. Returns the exit code: 0 every check passed, 1 one
-/// failed, 3 the numerics failed.
+/// Steps a simulation from `start`, the state that it is in, to its end with snapshots and history,
+/// writes the certificate and the picture, and says how it went. Returns the exit code: 0 every
+/// check passed, 1 one failed, 3 the numerics failed.
 class RunLoop {
  public:
-  RunLoop(Simulation& simulation, OutputFolder& folder, Progress::Style style);
+  RunLoop(Simulation& simulation, OutputFolder& folder, Progress::Style style, const Moment& start);
 
-  int go_on_from(const Moment& start);
+  int go_on();
 
  private:
   void run_to(std::int64_t frame);
@@ -28,7 +28,7 @@ class RunLoop {
   OutputFolder& folder_;
   Progress::Style style_;
   Progress progress_;
-  Moment now_;
+  Moment start_, now_;
 };
 
 }  // namespace mote

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <omp.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,23 +74,48 @@ std::unique_ptr<Model> finely_divided(const Scenario& scenario, const Catalogue&
   return scenario.model->make(std::move(setup));
 }
 
+/// Memory of a run on a line: fields with their rates and work arrays, and the neighbours, whose
+/// lists keep as much room again for particles that come to have more.
+double memory_of(const Scenario& scenario) {
+  constexpr double fields = 400;
+  const auto count = static_cast<double>(scenario.particles.count);
+  const double reach = scenario.differential_operator->neighbour_rule().reach();
+  return count * (fields + 2 * std::min(2 * reach, count) * static_cast<double>(sizeof(Index)));
+}
+
 }  // namespace
 
 Simulation::Simulation(const Document& document, Scenario scenario, const Catalogue& catalogue)
     : scenario_(std::move(scenario)),
       fingerprint_(mote::fingerprint(scenario_, catalogue)),
+      bytes_needed_(memory_of(scenario_)),
       plan_(scenario_.time.step, *scenario_.output.every, scenario_.time.end) {
   scenario_.threads = omp_get_max_threads();
   resolved_yaml_ = mote::resolved_yaml(scenario_, catalogue);
   try {
+    refuse_what_does_not_fit();
     build(document, catalogue);
   } catch (const InputError& error) {
     throw LocatedError(document.locate(error.key()), error.what());
   }
 }
 
+void Simulation::refuse_what_does_not_fit() const {
+  const double there =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (bytes_needed_ > there)
+    throw InputError("particles.count",
+                     fmt::format("{} particles need about {:.0f} GB, this machine has {:.0f}",
+                                 scenario_.particles.count, bytes_needed_ / 1e9, there / 1e9));
+}
+
 void Simulation::build(const Document& document, const Catalogue& catalogue) {
   const NeighbourRule rule = scenario_.differential_operator->neighbour_rule();
+  if (rule.adjacent == 0 && rule.reach() <= 1)
+    throw InputError("operator.smoothing_length",
+                     fmt::format("{} reaches {:.3g} spacings at this smoothing length: it has no "
+                                 "neighbours",
+                                 scenario_.operator_name(), rule.reach()));
   if (rule.adjacent > *scenario_.domain.extension)
     throw InputError("domain.extension",
                      fmt::format("{} needs {} cell{} beyond each end, and 'extension' is {}",
@@ -105,10 +131,10 @@ void Simulation::build(const Document& document, const Catalogue& catalogue) {
   model_ = scenario_.model->make(std::move(setup));
   integrator_ = entry_named(catalogue.integrators, scenario_.time.integrator).make();
   conserved_at_start_ = model_->conserved();
-  const StepLimit limit = scenario_.model->step_limit(model_->cloud());
+  const StepLimit limit = model_->step_limit();
   if (scenario_.time.step > limit.step)
     throw InputError("time.step",
-                     fmt::format("the step {} is beyond the stability limit {:.4g}, {}",
+                     fmt::format("the step {} is beyond the stability limit {:.4g}: {}",
                                  scenario_.time.step, limit.step, limit.reason));
   make_exact(catalogue);
 }
@@ -118,6 +144,11 @@ void Simulation::make_exact(const Catalogue& catalogue) {
   if (against == "nothing") return;
   const auto& solution = entry_named(catalogue.exact_solutions, against);
   const bool lagrangian = model_->frame() == Frame::lagrangian;
+  for (const auto& [field, limit] : scenario_.check.of(model_->frame()).fields)
+    if (!lagrangian && limit && field == "position")
+      throw InputError("check.position",
+                       "points that stand still have no error of position; give their limits in "
+                       "the section 'eulerian'");
   const std::unique_ptr<Model> fine = lagrangian ? nullptr : finely_divided(scenario_, catalogue);
   const Model& start = lagrangian ? *model_ : *fine;
   exact_ = solution.make(start.cloud(), start.parameters());

@@ -27,6 +27,8 @@ class Simulation {
   const TimePlan& plan() const { return plan_; }
   const ExactSolution* exact() const { return exact_.get(); }
   const std::string& fingerprint() const { return fingerprint_; }
+  /// Memory that the run takes, about.
+  double bytes_needed() const { return bytes_needed_; }
   /// run.yaml: the scenario with every default, version and threads.
   const std::string& resolved_yaml() const { return resolved_yaml_; }
   const std::vector<Conserved>& conserved_at_start() const { return conserved_at_start_; }
@@ -36,11 +38,13 @@ class Simulation {
   void restore(const Snapshot& snapshot);
 
  private:
+  void refuse_what_does_not_fit() const;
   void build(const Document& document, const Catalogue& catalogue);
   void make_exact(const Catalogue& catalogue);
 
   Scenario scenario_;
   std::string fingerprint_, resolved_yaml_;
+  double bytes_needed_;
   TimePlan plan_;
   std::unique_ptr<Model> model_;
   std::unique_ptr<Integrator> integrator_;

@@ -9,8 +9,9 @@ namespace {
 /// Number of pieces of at most `piece` in `whole`; a quotient a rounding above a whole number
 /// counts as that number.
 std::int64_t pieces(double whole, double piece) {
-  constexpr double rounding = 1e-9;
-  return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(whole / piece - rounding)));
+  constexpr double rounding = 1e-12;
+  const double quotient = whole / piece * (1 - rounding);
+  return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(quotient)));
 }
 
 }  // namespace
@@ -23,7 +24,8 @@ double TimePlan::time_of_frame(std::int64_t frame) const {
 }
 
 std::int64_t TimePlan::steps_to(std::int64_t frame) const {
-  return pieces(time_of_frame(frame) - time_of_frame(frame - 1), step_);
+  // From the interval itself: the difference of two late times has lost digits.
+  return pieces(frame < frames_ ? every_ : end_ - time_of_frame(frame - 1), step_);
 }
 
 double TimePlan::step_to(std::int64_t frame) const {

@@ -18,6 +18,9 @@ class ExactSolution {
  public:
   virtual ~ExactSolution() = default;
 
+  /// One sentence that says what the solution is exact for.
+  virtual std::string statement() const = 0;
+
   /// The last time for which there is an answer; later ones throw std::domain_error.
   virtual double valid_until() const = 0;
 

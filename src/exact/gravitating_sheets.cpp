@@ -18,9 +18,12 @@ double first_root(double a, double b, double c) {
   constexpr double never = std::numeric_limits<double>::infinity();
   const double discriminant = b * b - 4 * a * c;
   if (discriminant < 0) return never;
-  // The root 2a/(-b +- sqrt(..)) in the form that does not subtract equal numbers.
-  const double denominator = -b + std::sqrt(discriminant);
-  return denominator > 0 ? 2 * a / denominator : never;
+  // Both roots, a/q and q/c, without a difference of nearly equal numbers.
+  const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
+  double first = never;
+  for (const double root : {a / q, q / c})
+    if (root > 0 && root < first) first = root;
+  return first;
 }
 
 }  // namespace
@@ -64,6 +67,13 @@ double GravitatingSheets::acceleration(double mass_below) const {
 double GravitatingSheets::length(std::size_t i, double time) const {
   return cells_.length[i] + cells_.length_rate[i] * time -
          2 * pi * cells_.gravity * cells_.mass[i] * time * time;
+}
+
+std::string GravitatingSheets::statement() const {
+  return fmt::format(
+      "gravitating_sheets is the exact motion of {} cells of gas, each with the density at its "
+      "middle; how well they stand for the density between is another matter",
+      cells_.position.size());
 }
 
 Table GravitatingSheets::of_particles(double time) const {

@@ -36,6 +36,7 @@ class GravitatingSheets final : public ExactSolution {
   /// Time at which the first cell has no length left or two neighbouring particles meet;
   /// infinite if that never happens.
   double first_crossing() const { return first_crossing_; }
+  std::string statement() const override;
   double valid_until() const override { return first_crossing_; }
 
   Table of_particles(double time) const override;

@@ -35,6 +35,12 @@ struct PairWork {
   double mean_neighbours = 0;    ///< a particle, in the last lists
 };
 
+/// A length of step that a run must not exceed, infinite if there is none, and what sets it.
+struct StepLimit {
+  double step;
+  std::string reason;
+};
+
 using Parameters = std::map<std::string, double>;
 
 /// Equations of motion: the state in a cloud, and the rates at which it changes.
@@ -51,6 +57,9 @@ class Model : public System {
   virtual void inspect() const = 0;
 
   virtual std::vector<Conserved> conserved() const = 0;
+
+  /// The longest step that makes sense from this state on.
+  virtual StepLimit step_limit() const = 0;
 
   /// What the model did with the operator, and what a reader of the report should know.
   virtual PairWork pair_work() const = 0;
@@ -79,22 +88,16 @@ struct InitialField {
   std::string default_expression;
 };
 
-/// The longest stable step, infinite if there is no limit, and what sets it.
-struct StepLimit {
-  double step;
-  std::string reason;
-};
-
 /// A model's options, and how to make the model from them.
 class ModelRecipe {
  public:
   virtual ~ModelRecipe() = default;
   virtual void describe(Description& description) = 0;
   virtual std::vector<InitialField> initial_fields() const = 0;
+  /// The names of what `Model::conserved` will report.
+  virtual std::vector<std::string> conserved_names() const = 0;
   /// Throws InputError for options that do not go together with the set-up.
   virtual std::unique_ptr<Model> make(LineSetup setup) const = 0;
-  /// The largest step that is stable from this state on.
-  virtual StepLimit step_limit(const Cloud& initial) const = 0;
 };
 
 }  // namespace mote

@@ -53,6 +53,7 @@ class PressurelessGas final : public Model {
   void update_dependent_fields() override;
   void inspect() const override;
   std::vector<Conserved> conserved() const override;
+  StepLimit step_limit() const override;
   PairWork pair_work() const override { return work_; }
   std::vector<std::string> remarks() const override;
   Parameters parameters() const override;
@@ -99,7 +100,9 @@ class PressurelessGasRecipe final : public ModelRecipe {
   void describe(Description& description) override { options.describe(description); }
   std::vector<InitialField> initial_fields() const override;
   std::unique_ptr<Model> make(LineSetup setup) const override;
-  StepLimit step_limit(const Cloud& initial) const override;
+  std::vector<std::string> conserved_names() const override {
+    return {"mass", "momentum", "energy"};
+  }
 };
 
 }  // namespace mote

@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "mote/models/pressureless_gas.hpp"
 
 namespace mote {
@@ -41,16 +37,6 @@ std::vector<InitialField> PressurelessGasRecipe::initial_fields() const {
 
 std::unique_ptr<Model> PressurelessGasRecipe::make(LineSetup setup) const {
   return std::make_unique<PressurelessGas>(options, std::move(setup));
-}
-
-StepLimit PressurelessGasRecipe::step_limit(const Cloud& initial) const {
-  const double densest = std::ranges::max(initial.values("density"));
-  const double shortest = std::ranges::min(initial.values("length"));
-  const StepLimit fall{1 / std::sqrt(4 * std::numbers::pi * options.gravity * densest),
-                       "the time in which the densest gas falls together"};
-  const StepLimit diffusion{shortest * shortest / (2 * options.viscosity),
-                            "explicit viscosity, shortest cell^2/(2 viscosity)"};
-  return diffusion.step < fall.step ? diffusion : fall;
 }
 
 }  // namespace mote

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "mote/models/pressureless_gas.hpp"
@@ -13,8 +14,8 @@ namespace {
 
 std::string cause_of_crossing(const PressurelessGasOptions& options) {
   if (options.gravity_form == GravityForm::potential)
-    return "the printed gradient weights the potential with mass over the receiver's density, "
-           "which is wrong where the density jumps and pulls neighbouring sheets together; "
+    return "the operator's gradient of the potential is wrong where the density jumps (the printed "
+           "SPH form divides by the receiver's density) and pulls neighbouring sheets together; "
            "gravity_form: sheets is exact";
   if (options.viscosity > 0)
     return "the printed Laplacian is not exact for linear velocities, so zig-zag motions grow "
@@ -43,6 +44,21 @@ void PressurelessGas::inspect() const {
       throw NumericalFailure(
           fmt::format("the cell of particle {} collapsed at x = {:.6g}", i, position_[i]), {i},
           cause_of_crossing(options_));
+}
+
+StepLimit PressurelessGas::step_limit() const {
+  const double densest = std::ranges::max(density_), shortest = std::ranges::min(length_);
+  double fastest = 0;
+  for (const double u : velocity_) fastest = std::max(fastest, std::abs(u));
+  // rho0/(1 - 2 pi G rho0 t^2) of the exact solution has no value after this time.
+  const double fall = 1 / std::sqrt(2 * std::numbers::pi * options_.gravity * densest);
+  StepLimit limit{fall, "the time in which the densest gas falls together"};
+  const double diffusion = shortest * shortest / (2 * options_.viscosity);
+  if (diffusion < limit.step) limit = {diffusion, "shortest cell^2/(2 viscosity)"};
+  const double advection = shortest / fastest;
+  if (frame_ == Frame::eulerian && advection < limit.step)
+    limit = {advection, "the time in which the gas passes the shortest cell"};
+  return limit;
 }
 
 std::vector<Conserved> PressurelessGas::conserved() const {
@@ -75,7 +91,7 @@ std::vector<std::string> PressurelessGas::remarks() const {
   if (!uses_operator())
     remarks.emplace_back("So nothing in this run needs a derivative: the operator was not used.");
   if (options_.viscosity > 0)
-    remarks.emplace_back("Viscosity takes energy out; its energy drift is physical.");
+    remarks.emplace_back("Viscosity turns motion into heat, which the energy here leaves out.");
   const double lowest = std::ranges::min(density_);
   if (lowest < 0)
     remarks.push_back(

@@ -50,14 +50,14 @@ struct NeighbourRule {
 /// The neighbours of every receiver, without the receiver itself, each list in a fixed order that
 /// depends on the state alone.
 struct NeighbourLists {
-  std::vector<Index> start;  ///< receivers + 1 offsets into `neighbour`
+  std::vector<std::int64_t> start;  ///< receivers + 1 offsets into `neighbour`
   std::vector<Index> neighbour;
 
   std::span<const Index> operator[](Index i) const {
-    return std::span(neighbour).subspan(start[i], start[i + 1] - start[i]);
+    return {neighbour.data() + start[i], neighbour.data() + start[i + 1]};
   }
   Index receivers() const { return static_cast<Index>(start.size()) - 1; }
-  Index pairs() const { return static_cast<Index>(neighbour.size()); }
+  std::int64_t pairs() const { return static_cast<std::int64_t>(neighbour.size()); }
 };
 
 }  // namespace mote

@@ -68,6 +68,7 @@ std::string summary_json(const Certificate& c) {
                {"errors", Json::object()},
                {"conservation", Json::object()},
                {"checks", Json::array()},
+               {"remarks", c.remarks},
                {"warnings", c.warnings},
                {"passed", c.passed()}};
   for (const ErrorNorms& e : c.errors)
@@ -81,7 +82,7 @@ std::string summary_json(const Certificate& c) {
                               {"limit", check.limit},
                               {"passed", check.passed()}});
   if (c.failure) json["failure"] = *c.failure;
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace mote

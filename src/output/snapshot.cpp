@@ -123,6 +123,24 @@ Cloud read_cloud(hid_t group) {
   return cloud;
 }
 
+Moment moment_in(hid_t group) {
+  return {hdf5::read_integer(group, "frame"), hdf5::read_integer(group, "step"),
+          hdf5::read_double(group, "time")};
+}
+
+/// What `read` makes of the restart group of a file, or an InputError that names the file.
+template <class Read>
+auto read_restart(const std::filesystem::path& path, Read read) {
+  hdf5::be_quiet();
+  try {
+    const hdf5::Handle file = hdf5::open_file(path.string());
+    return read(hdf5::open_group(file, "mote"));
+  } catch (const std::runtime_error& error) {
+    throw InputError(fmt::format("{}: this snapshot is damaged or not one of mote: {}",
+                                 path.string(), error.what()));
+  }
+}
+
 }  // namespace
 
 void write_snapshot(const std::filesystem::path& path, const Moment& moment,
@@ -140,19 +158,14 @@ void write_snapshot(const std::filesystem::path& path, const Moment& moment,
   finish(path);
 }
 
+Moment read_moment(const std::filesystem::path& path) {
+  return read_restart(path, [](hid_t group) { return moment_in(group); });
+}
+
 Snapshot read_snapshot(const std::filesystem::path& path) {
-  hdf5::be_quiet();
-  try {
-    const hdf5::Handle file = hdf5::open_file(path.string());
-    const hdf5::Handle group = hdf5::open_group(file, "mote");
-    return {{hdf5::read_integer(group, "frame"), hdf5::read_integer(group, "step"),
-             hdf5::read_double(group, "time")},
-            hdf5::read_string(group, "scenario"),
-            read_cloud(group)};
-  } catch (const std::runtime_error& error) {
-    throw InputError(fmt::format("{}: this snapshot is damaged or not one of mote: {}",
-                                 path.string(), error.what()));
-  }
+  return read_restart(path, [](hid_t group) {
+    return Snapshot{moment_in(group), hdf5::read_string(group, "scenario"), read_cloud(group)};
+  });
 }
 
 }  // namespace mote

@@ -28,6 +28,9 @@ struct Snapshot {
 void write_snapshot(const std::filesystem::path& path, const Moment& moment,
                     const std::string& fingerprint, const Cloud& cloud);
 
+/// When a snapshot was taken, without reading its state. Throws InputError as below.
+Moment read_moment(const std::filesystem::path& path);
+
 /// Reads a snapshot. Throws InputError for a file that is damaged or not ours.
 Snapshot read_snapshot(const std::filesystem::path& path);
 

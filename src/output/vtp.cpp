@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkIdTypeArray.h>
@@ -10,7 +9,6 @@
 
 #include "mote/output/files.hpp"
 #include "mote/output/tables.hpp"
-#include "mote/particles/failure.hpp"
 
 namespace mote {
 namespace {
@@ -48,12 +46,11 @@ void write_vtp(const std::filesystem::path& path, const Cloud& cloud) {
     if (field.name != "position") data->GetPointData()->AddArray(array_of(field, cloud.count()));
 
   vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetFileName(unfinished(path).string().c_str());
   writer->SetInputData(data);
   writer->SetDataModeToBinary();  // inline: ParaView 5.11 cannot read appended data
-  if (writer->Write() != 1)
-    throw InputError(fmt::format("{}: cannot write this file", path.string()));
-  finish(path);
+  writer->WriteToOutputStringOn();
+  writer->Write();
+  write_file(path, writer->GetOutputString());
 }
 
 }  // namespace mote

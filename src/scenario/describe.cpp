@@ -111,16 +111,20 @@ void describe_limit(Description& d, Scenario::Limits& limits, const std::string&
 }
 
 void describe_checks(Description& d, Scenario::Checks& checks,
-                     const std::vector<std::string>& fields) {
+                     const std::vector<std::string>& fields,
+                     const std::vector<std::string>& quantities) {
   for (const auto& field : fields)
     describe_limit(d, checks.fields, field, "largest relative L2 error at the end");
   d.section({"drift", "largest relative drift of conserved quantities"}, [&] {
-    for (const char* quantity : {"mass", "momentum", "energy"})
+    for (const auto& quantity : quantities)
       describe_limit(d, checks.drifts, quantity, "largest relative drift");
   });
 }
 
-void describe_check(Description& d, Scenario::Check& check, const Catalogue& catalogue) {
+void describe_check(Description& d, Scenario& scenario, const Catalogue& catalogue) {
+  Scenario::Check& check = scenario.check;
+  std::vector<std::string> quantities;
+  if (scenario.model) quantities = scenario.model->conserved_names();
   Choices solutions = choices_of(catalogue.exact_solutions);
   solutions.push_back({"nothing", "no exact solution"});
   d.variant({"against", "exact solution"}, check.against, solutions,
@@ -128,10 +132,10 @@ void describe_check(Description& d, Scenario::Check& check, const Catalogue& cat
               std::vector<std::string> fields;
               if (against != "nothing")
                 fields = entry_named(catalogue.exact_solutions, against).fields;
-              describe_checks(d, check.lagrangian, fields);
+              describe_checks(d, check.lagrangian, fields, quantities);
               std::erase(fields, "position");
               d.section({"eulerian", "limits for points that stand still, in place of the others"},
-                        [&] { describe_checks(d, check.eulerian, fields); });
+                        [&] { describe_checks(d, check.eulerian, fields, quantities); });
             });
 }
 
@@ -163,7 +167,7 @@ void describe(Description& d, Scenario& scenario, const Catalogue& catalogue) {
   d.section({"time", "step and end", true}, [&] { describe_time(d, scenario.time, catalogue); });
   d.section({"output", "what is written"}, [&] { describe_output(d, scenario.output); });
   d.section({"check", "what the result must hold"},
-            [&] { describe_check(d, scenario.check, catalogue); });
+            [&] { describe_check(d, scenario, catalogue); });
 }
 
 }  // namespace mote

@@ -59,7 +59,7 @@ void check_choice(const Value& value, const std::string& word, const std::string
 
 }  // namespace
 
-Reader::Reader(const Document& document) : document_(document) {
+Reader::Reader(const Document& document) {
   levels_.push_back({&document.root(), document.root().origin.text, "the scenario"});
 }
 
@@ -199,8 +199,10 @@ void Reader::numbers(const Key& key, std::vector<double>& values) {
 void Reader::expression(const Key& key, std::string& value) {
   const Value* given = take(key);
   if (given == nullptr) return;
+  const bool unquoted = given->kind == Value::Kind::section || given->kind == Value::Kind::list;
   value = require(*given, Value::Kind::word,
-                  fmt::format("'{}' must be a number or an expression", key.name))
+                  fmt::format("'{}' must be a number or an expression{}", key.name,
+                              unquoted ? ", which goes in quotes" : ""))
               .word;
   if (is_questionable_number(value))
     refuse(*given, fmt::format("'{}' must be a finite decimal number, not '{}'", key.name, value));

@@ -34,8 +34,6 @@ class Reader final : public Description {
   void section(const Key& key, const std::function<void()>& body) override;
   void constants(const Key& key, std::vector<std::pair<std::string, double>>& values) override;
 
-  const Constants& known_constants() const { return constants_; }
-
  private:
   /// A section that is being read.
   struct Level {
@@ -55,7 +53,6 @@ class Reader final : public Description {
   void refuse_misspelt(const Level& level, const std::string& key) const;
   [[noreturn]] void refuse_missing(const Level& level, const std::string& key) const;
 
-  const Document& document_;
   std::vector<Level> levels_;
   Constants constants_;
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -85,6 +86,15 @@ std::string yaml_of(Scenario& scenario, const Catalogue& catalogue, Record recor
 }
 
 }  // namespace
+
+bool Scenario::Checks::has_limits() const {
+  const auto has_limit = [](const auto& entry) { return entry.second.has_value(); };
+  return std::ranges::any_of(fields, has_limit) || std::ranges::any_of(drifts, has_limit);
+}
+
+const Scenario::Checks& Scenario::Check::of(Frame frame) const {
+  return frame == Frame::eulerian && eulerian.has_limits() ? eulerian : lagrangian;
+}
 
 Scenario read_scenario(const Document& document, const Catalogue& catalogue) {
   Scenario scenario;

@@ -59,11 +59,15 @@ struct Scenario {
   struct Checks {
     Limits fields;  ///< relative L2 errors at the end
     Limits drifts;  ///< relative drifts of conserved quantities
+
+    bool has_limits() const;
   };
   struct Check {
     std::string against = "nothing";
     Checks lagrangian;  ///< for points that move with the material
-    Checks eulerian;    ///< for points that stand still
+    Checks eulerian;    ///< for points that stand still, if it has limits; else the others hold
+
+    const Checks& of(Frame frame) const;
   } check;
 
   std::string operator_name() const { return kernel.empty() ? family : family + "." + kernel; }

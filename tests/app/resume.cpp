@@ -81,6 +81,18 @@ TEST_F(SameBits, WhenAFinishedRunIsResumed) {
   EXPECT_TRUE(fs::exists(out / "summary.json"));
 }
 
+TEST_F(SameBits, WhenSeriesAndTheLastHistoryRowAreDamaged) {
+  const auto out = folder() / "damaged";
+  fs::copy(whole(), out, fs::copy_options::recursive);
+  fs::remove(out / "summary.json");
+  fs::remove(out / "snapshots/000040.hdf");
+  write(out / "snapshots.hdf.series", "not JSON");
+  const std::string history = read(out / "history.csv");
+  write(out / "history.csv", history.substr(0, history.size() - 30));
+  mote({"resume", out.string(), "--quiet"});
+  expect_same_results(whole(), out);
+}
+
 /// Negative control: the comparison notices one step more or less.
 TEST_F(SameBits, AreNotThoseOfAnotherStep) {
   const auto out = folder() / "other";
@@ -88,6 +100,28 @@ TEST_F(SameBits, AreNotThoseOfAnotherStep) {
   arguments.insert(arguments.end(), {"--set", "time.step=0.00025"});
   mote(arguments);
   EXPECT_NE(read(whole() / "snapshots/000040.hdf"), read(out / "snapshots/000040.hdf"));
+}
+
+TEST(Resume, OfACompleteRunChangesNothing) {
+  const TemporaryFolder folder;
+  const auto out = folder / "out";
+  mote(run_arguments("gravity/slab.yaml", out));
+  const std::string summary = read(out / "summary.json");
+  const auto outcome = mote({"resume", out.string()});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.output, testing::HasSubstr("this run is complete"));
+  EXPECT_EQ(read(out / "summary.json"), summary);
+}
+
+TEST(Resume, IsKeptOutOfARunThatIsGoingOn) {
+  const TemporaryFolder folder;
+  const auto out = folder / "out";
+  const Program program(long_arguments(out, 1));
+  ASSERT_TRUE(wait_for_file(out / "snapshots/000002.hdf"));
+  const auto outcome = mote({"resume", out.string()});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.errors, testing::HasSubstr("another run is writing into this folder"));
+  EXPECT_LE(program.wait().exit_code, 1);
 }
 
 TEST(Resume, LeavesNoUnfinishedFiles) {

@@ -23,6 +23,13 @@ TEST(TimePlan, ShortensAStepThatDoesNot) {
   EXPECT_EQ(plan.time_of_frame(4), 1.0);
 }
 
+TEST(TimePlan, HasEqualFramesLateInALongRun) {
+  const TimePlan plan(1e-4, 0.1, 5000);
+  EXPECT_EQ(plan.total_steps(), 50'000'000);
+  for (std::int64_t frame = 1; frame <= plan.frames(); ++frame)
+    ASSERT_EQ(plan.steps_to(frame), 1000) << frame;
+}
+
 TEST(TimePlan, TakesOneStepWhereTheStepIsLongerThanTheRun) {
   const TimePlan plan(5, 0.5, 0.5);
   EXPECT_EQ(plan.total_steps(), 1);

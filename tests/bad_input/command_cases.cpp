@@ -63,7 +63,7 @@ const std::vector<CommandCase> bad_assignments{
     assigning("out_of_range", "particles.count=1", "'count' must be from 2"),
     assigning("bad_expression", "initial.density=1 + y0", "unknown name 'y0'"),
     assigning("density_negative", "initial.density=x - 2", "must be positive everywhere"),
-    assigning("step_beyond_the_limit", "time.step=6", "beyond the stability limit"),
+    assigning("step_beyond_the_limit", "time.step=8", "beyond the stability limit"),
     assigning("end_beyond_the_exact_solution", "time.end=30", "before the run does at t = 30"),
     {"of_two_lines", setting("name=[a,\n b]"), "--set name=[a,", "'name' must be a text"},
     {"kernel_that_mps_does_not_take", setting("operator.family=mps"),

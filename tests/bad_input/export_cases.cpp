@@ -27,10 +27,6 @@ void cut_last_snapshot(const Workspace& workspace) {
 
 void remove_snapshots(const Workspace& workspace) { fs::remove_all(workspace / "run/snapshots"); }
 
-void break_series(const Workspace& workspace) {
-  write(workspace / "run/snapshots.hdf.series", R"({"files": [{"name": "first", "time": 0}]})");
-}
-
 class BadExport : public testing::TestWithParam<CommandCase> {};
 TEST_P(BadExport, IsRefused) {
   const Workspace workspace;
@@ -73,9 +69,7 @@ const std::vector<CommandCase> bad_exports{
     {"snapshots_not_there", exporting("a.csv"), "mote: run: ", "there are no snapshots",
      remove_snapshots},
     {"snapshot_cut_off", exporting("a.csv"),
-     "mote: run/snapshots/000010.hdf: ", "this snapshot is damaged", cut_last_snapshot},
-    {"series_of_another_form", exporting("a.csv"), "mote: run/snapshots.hdf.series: ", "damaged",
-     break_series}};
+     "mote: run/snapshots/000010.hdf: ", "this snapshot is damaged", cut_last_snapshot}};
 INSTANTIATE_TEST_SUITE_P(Table, BadExport, testing::ValuesIn(bad_exports), by_label);
 
 /// The control: the same folder, asked for rightly, is exported.

@@ -62,7 +62,7 @@ const std::vector<ScenarioCase> bad_counts{
     {"fraction_by_expression", count("L/3*10"), "'count' must be a whole number"},
     {"octal", count("041"), "not '041'"},
     {"hexadecimal", count("0x29"), "not '0x29'"},
-    {"more_than_the_memory_holds", count("2e9"), "2000000000 particles need about 800 GB"},
+    {"more_than_the_memory_holds", count("2e9"), "2000000000 particles need about 1072 GB"},
     {"more_than_an_index_holds", count("2e10"), "'count' must be from 2 to 2000000000"},
     {"huge", count("1e300"), "'count' must be from 2 to 2000000000"},
     {"closer_than_numbers_can_tell", line(5, "particles: {layout: geometric, count: @2000}"),
@@ -112,14 +112,14 @@ class BadPlan : public BadScenario {};
 TEST_P(BadPlan, IsRefused) { expect_refused(); }
 
 const std::vector<ScenarioCase> bad_plans{
-    {"step_beyond_the_stability_limit", step("6"),
-     "the step 6 is beyond the stability limit 5.166"},
+    {"step_beyond_the_stability_limit", step("8"),
+     "the step 8 is beyond the stability limit 7.306"},
     {"step_beyond_the_limit_of_viscosity",
      lines({{9, "model: {type: pressureless_gas, viscosity: 10}"},
             {11, "time: {step: @0.01, end: 1}"},
             {14, "  against: nothing"},
             {15, ""}}),
-     "explicit viscosity"},
+     "shortest cell^2/(2 viscosity)"},
     {"too_many_steps", step("1e-13"), "are more than 1e12"},
     {"end_beyond_the_exact_solution", end("30"),
      "the exact solution gravitating_sheets ends at t = 7.30596, before the run does at t = 30"},
