@@ -20,9 +20,8 @@ std::string cause_of_crossing(const PressurelessGasOptions& options) {
   if (options.viscosity > 0)
     return "the printed Laplacian is not exact for linear velocities, so zig-zag motions grow "
            "until neighbours meet";
-  return "the gas has fallen together, and a pressureless gas has no solution beyond this time: "
-         "end "
-         "the run earlier; or the step is too long for these velocities";
+  return "the gas has fallen together, and a pressureless gas has no solution beyond this time, so "
+         "end the run earlier; or the step is too long for these velocities";
 }
 
 }  // namespace
