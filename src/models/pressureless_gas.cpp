@@ -124,10 +124,8 @@ void PressurelessGas::update_drift_rates(double) {
       density_rate_[i] = -density_[i] * derivative_[i];  // (73c)
     return;
   }
-  field_.resize(static_cast<std::size_t>(points_.size()));
   for (std::size_t i = 0; i < density_.size(); ++i) density_rate_[i] = density_[i] * velocity_[i];
-  extension_.fill(density_rate_, field_);
-  divergence<1>(*operator_, lists_, field_, derivative_);
+  divergence<1>(*operator_, lists_, extended(density_rate_, field_), derivative_);
   for (std::size_t i = 0; i < density_.size(); ++i) density_rate_[i] = -derivative_[i];  // (72a)
 }
 
