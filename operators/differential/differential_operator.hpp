@@ -1,6 +1,9 @@
 #pragma once
 
 #include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "mote/neighbours/neighbours.hpp"
 #include "mote/options/description.hpp"
@@ -17,11 +20,18 @@ class AnyOperator {
 
   /// Which neighbours the lists must hold.
   virtual NeighbourRule neighbour_rule() const = 0;
+
+  /// Whether it needs points with circulation.
+  virtual bool needs_circulation() const { return false; }
+
+  /// What a reader of the report should know about the points last prepared.
+  virtual std::vector<std::string> remarks() const { return {}; }
 };
 
 /// The one idea of mote: a differential operator is a rule that gives every neighbour a weight,
-///   (grad f)_i = sum_j g_ij (f_j - f_i),   (lap f)_i = sum_j l_ij (f_j - f_i).
-/// SPH, MPS, least squares and finite differences differ in g and l alone.
+///   (grad f)_i = sum_j g_ij (f_j - f_i),   (lap f)_i = sum_j l_ij (f_j - f_i),
+/// and, for the matrix of all second derivatives, (hess f)_i = sum_j H_ij (f_j - f_i).
+/// SPH, MPS, least squares and finite differences differ in g, l and H alone.
 ///
 /// Weights come a row at a time, for all neighbours of one receiver: one virtual call a particle,
 /// inside which everything is static. That costs the same as a plain loop over gathered arrays
@@ -38,6 +48,16 @@ class DifferentialOperator : public AnyOperator {
 
   /// l_ij of receiver i, one number for each of its neighbours in list order. [1/length^2]
   virtual void laplacian_weights(Index i, std::span<double> weights) const = 0;
+
+  /// H_ij of receiver i, one symmetric matrix for each of its neighbours in list order; the trace
+  /// of H_ij is l_ij. [1/length^2]
+  virtual void hessian_weights(Index i, std::span<Mat<D>> weights) const {
+    if constexpr (D == 1) return laplacian_weights(i, {weights.data()->data(), weights.size()});
+    throw std::logic_error("this operator has no Hessian");
+  }
+
+  /// Whether `hessian_weights` can be called: always on a line, where the Hessian is the Laplacian.
+  virtual bool has_hessian() const { return D == 1; }
 };
 
 /// The two options of every operator whose weights depend on a smoothing length.

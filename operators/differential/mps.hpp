@@ -15,6 +15,9 @@ namespace mote {
 /// Koshizuka & Oka 1996):
 ///   g_ij = (D/n_i) w_ij (x_j - x_i)/r_ij^2,   l_ij = 2 D/(lambda_i n_i) w_ij,
 ///   n_i = sum_j w_ij,   lambda_i = sum_j r_ij^2 w_ij / n_i.
+/// The paper has no Hessian for it. The one whose trace is (70b) is that of Espanol & Revenga
+/// (2003):
+///   H_ij = D/(lambda_i n_i) w_ij [(D+2) e_ij e_ij^T - 1].
 template <int D>
 class Mps final : public DifferentialOperator<D> {
  public:
@@ -59,6 +62,16 @@ class Mps final : public DifferentialOperator<D> {
       const Index j = list[k];
       weights[k] = D / number_density_[i] * weight(i, j) / squared_distance(i, j) *
                    (points_->at(j) - points_->at(i));
+    }
+  }
+
+  bool has_hessian() const override { return true; }
+  void hessian_weights(Index i, std::span<Mat<D>> weights) const override {
+    const auto list = (*lists_)[i];
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const Vec<D> e = (points_->at(list[k]) - points_->at(i)).normalized();
+      weights[k] = D / (lambda_[i] * number_density_[i]) * weight(i, list[k]) *
+                   ((D + 2) * e * e.transpose() - Mat<D>::Identity());
     }
   }
 

@@ -33,7 +33,7 @@ Certificate certificate_without_results(const Simulation& simulation, const Mome
   Certificate certificate{.name = scenario.name,
                           .version = std::string(version),
                           .units = scenario.units,
-                          .differential_operator = scenario.operator_name(),
+                          .differential_operator = scenario.differential_operator.name(),
                           .integrator = scenario.time.integrator,
                           .model = scenario.model_type,
                           .against = scenario.check.against,

@@ -24,11 +24,18 @@ void add_threads_and_quiet(CLI::App& command, RunOptions& options) {
   command.add_flag("--quiet", options.quiet, "print nothing but errors");
 }
 
-void add_scenario(CLI::App& command, RunOptions& options) {
-  command.add_option("file", options.file, "scenario, a YAML file")->required();
+void add_file(CLI::App& command, RunOptions& options, const std::string& what) {
+  command.add_option("file", options.file, what)->required();
   command.add_option("--set", options.assignments, "key.path=value, in place of the file's value")
       ->take_all()
       ->expected(1);
+}
+
+void add_file_and_output(CLI::App& command, RunOptions& options, const std::string& what) {
+  add_file(command, options, what);
+  command.add_option("--out", options.out, "output folder (default: a new one in results/)");
+  command.add_flag("--overwrite", options.overwrite, "replace former output in that folder");
+  add_threads_and_quiet(command, options);
 }
 
 /// The commands, each with the options it takes and what it does.
@@ -37,14 +44,15 @@ class Commands {
   Commands(CLI::App& app, const Catalogue& catalogue) : catalogue_(catalogue) {
     CLI::App* run_command = add(app, "run", "run a scenario and certify the result",
                                 [this] { return run(catalogue_, run_); });
-    add_scenario(*run_command, run_);
-    run_command->add_option("--out", run_.out, "output folder (default: a new one in results/)");
-    run_command->add_flag("--overwrite", run_.overwrite, "replace a former run in that folder");
-    add_threads_and_quiet(*run_command, run_);
+    add_file_and_output(*run_command, run_, "scenario, a YAML file");
+
+    CLI::App* study_command = add(app, "study", "measure operators on points, without time",
+                                  [this] { return study(catalogue_, run_); });
+    add_file_and_output(*study_command, run_, "study, a YAML file");
 
     CLI::App* check_command = add(app, "check", "validate and estimate; run nothing",
                                   [this] { return check(catalogue_, run_); });
-    add_scenario(*check_command, run_);
+    add_file(*check_command, run_, "scenario, a YAML file");
 
     CLI::App* resume_command = add(app, "resume", "go on from the last snapshot of a run",
                                    [this] { return resume(catalogue_, run_); });
@@ -64,8 +72,10 @@ class Commands {
         ->required()
         ->check(CLI::IsMember(listable()));
 
-    add(app, "schema", "the JSON Schema of a scenario file",
-        [this] { return print_schema(catalogue_); });
+    CLI::App* schema_command = add(app, "schema", "the JSON Schema of a scenario or study file",
+                                   [this] { return print_schema(catalogue_, schema_of_); });
+    schema_command->add_option("of", schema_of_, "scenario or study")
+        ->check(CLI::IsMember({"scenario", "study"}));
   }
 
   int exit_code() const { return exit_code_; }
@@ -81,7 +91,7 @@ class Commands {
   const Catalogue& catalogue_;
   RunOptions run_;
   ExportOptions export_;
-  std::string what_;
+  std::string what_, schema_of_ = "scenario";
   int exit_code_ = 0;
 };
 

@@ -9,7 +9,7 @@
 
 namespace mote {
 
-/// Options of `mote run`, `mote check` and `mote resume`.
+/// Options of `mote run`, `mote study`, `mote check` and `mote resume`.
 struct RunOptions {
   std::string file;
   std::vector<std::string> assignments;  ///< of --set, `key.path=value`
@@ -29,11 +29,12 @@ struct ExportOptions {
 /// The commands of mote, one file each. They return the exit code, and throw LocatedError or
 /// InputError for bad input.
 int run(const Catalogue& catalogue, const RunOptions& options);
+int study(const Catalogue& catalogue, const RunOptions& options);
 int check(const Catalogue& catalogue, const RunOptions& options);
 int resume(const Catalogue& catalogue, const RunOptions& options);
 int export_frame(const ExportOptions& options);
 int list(const Catalogue& catalogue, const std::string& what);
-int print_schema(const Catalogue& catalogue);
+int print_schema(const Catalogue& catalogue, const std::string& of);
 
 /// What `mote list` can list.
 std::vector<std::string> listable();

@@ -6,6 +6,7 @@
 
 #include "mote/app/commands.hpp"
 #include "mote/app/shared_folder.hpp"
+#include "mote/particles/lattice.hpp"
 
 namespace mote {
 namespace {
@@ -16,6 +17,13 @@ Choices operators(const Catalogue& catalogue) {
   Choices choices;
   for (const OperatorEntry& entry : catalogue.operators)
     choices.push_back({entry.name(), entry.summary});
+  return choices;
+}
+
+/// The meshes of a line, and what studies have in every dimension.
+Choices layouts(const Catalogue& catalogue) {
+  Choices choices = choices_of(catalogue.layouts);
+  for (const Choice& lattice : lattice_layouts()) choices.push_back(lattice);
   return choices;
 }
 
@@ -44,7 +52,7 @@ const std::map<std::string, Lister> listers{
     {"operators", operators},
     {"models", [](const Catalogue& c) { return choices_of(c.models); }},
     {"integrators", [](const Catalogue& c) { return choices_of(c.integrators); }},
-    {"layouts", [](const Catalogue& c) { return choices_of(c.layouts); }},
+    {"layouts", layouts},
     {"exact", [](const Catalogue& c) { return choices_of(c.exact_solutions); }},
     {"scenarios", [](const Catalogue&) { return scenarios(); }}};
 

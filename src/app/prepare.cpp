@@ -1,15 +1,36 @@
 #include "mote/app/prepare.hpp"
 
+#include <fmt/format.h>
 #include <omp.h>
 
 #include "mote/particles/failure.hpp"
 #include "mote/scenario/located_error.hpp"
+#include "mote/study/study_file.hpp"
 
 namespace mote {
-Simulation prepare_simulation(const Catalogue& catalogue, const RunOptions& options) {
+
+Document read_document(const RunOptions& options) {
   if (options.file.empty()) throw InputError("the scenario's file must have a name");
   Document document = Document::from_file(options.file);
   for (const std::string& assignment : options.assignments) document.set(assignment);
+  return document;
+}
+
+std::filesystem::path output_folder(const RunOptions& options, const std::string& name) {
+  namespace fs = std::filesystem;
+  if (options.out && options.out->empty()) throw InputError("--out: a folder must have a name");
+  if (options.out) return *options.out;
+  std::error_code error;
+  fs::path folder = fs::path("results") / name;
+  for (int k = 2; fs::exists(folder, error); ++k)
+    folder = fs::path("results") / fmt::format("{}-{}", name, k);
+  return folder;
+}
+
+Simulation prepare_simulation(const Catalogue& catalogue, const RunOptions& options) {
+  const Document document = read_document(options);
+  if (is_study(document))
+    throw LocatedError(options.file, "this is a study and not a scenario: mote study runs it");
   Scenario scenario = read_scenario(document, catalogue);
   if (options.threads > 0)
     omp_set_num_threads(options.threads);

@@ -84,7 +84,7 @@ int RunLoop::conclude(Certificate certificate) {
   write_file(folder_.file("summary.json"), summary_json(certificate));
   std::string picture;
   if (simulation_.scenario().output.picture) {
-    const std::string problem = draw_picture(shared_folder(), folder_.path());
+    const std::string problem = draw_pictures(shared_folder() / "plot", folder_.path());
     if (problem.empty()) {
       picture = "fields.png";
     } else {
@@ -106,9 +106,7 @@ void RunLoop::print_outcome(const Certificate& c, const std::string& picture) co
   if (!c.failure) {
     fmt::print("{}: {} particles, {} steps to t = {:.6g} in {:.2g} s\n", c.name, c.particles,
                c.steps, c.time, c.wall_seconds);
-    for (const CheckResult& check : c.checks)
-      fmt::print("  {:<28} {:<10.3g} limit {:<10.3g} {}\n", check.name, check.value, check.limit,
-                 check.passed() ? "passed" : "FAILED");
+    fmt::print("{}", checks_text(c.checks));
     if (c.checks.empty()) fmt::print("  the scenario states no check\n");
     if (c.pair_work.evaluations == 0) fmt::print("  no derivative was needed: see the report\n");
   }

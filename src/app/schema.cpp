@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include "mote/app/commands.hpp"
+#include "mote/study/study_file.hpp"
 
 namespace mote {
 
-int print_schema(const Catalogue& catalogue) {
-  fmt::print("{}\n", scenario_schema(catalogue));
+int print_schema(const Catalogue& catalogue, const std::string& of) {
+  fmt::print("{}\n", of == "study" ? study_schema(catalogue) : scenario_schema(catalogue));
   return 0;
 }
 

@@ -69,8 +69,8 @@ std::unique_ptr<Model> finely_divided(const Scenario& scenario, const Catalogue&
       fine.length.push_back(setup.cells.length[i] / pieces);
     }
   setup.cells = std::move(fine);
-  setup.differential_operator =
-      on_a_line(catalogue.make_operator(scenario.family, scenario.kernel, 1));
+  setup.differential_operator = on_a_line(catalogue.make_operator(
+      scenario.differential_operator.family, scenario.differential_operator.member, 1));
   return scenario.model->make(std::move(setup));
 }
 
@@ -79,7 +79,7 @@ std::unique_ptr<Model> finely_divided(const Scenario& scenario, const Catalogue&
 double memory_of(const Scenario& scenario) {
   constexpr double fields = 400;
   const auto count = static_cast<double>(scenario.particles.count);
-  const double reach = scenario.differential_operator->neighbour_rule().reach();
+  const double reach = scenario.differential_operator.made->neighbour_rule().reach();
   return count * (fields + 2 * std::min(2 * reach, count) * static_cast<double>(sizeof(Index)));
 }
 
@@ -110,16 +110,20 @@ void Simulation::refuse_what_does_not_fit() const {
 }
 
 void Simulation::build(const Document& document, const Catalogue& catalogue) {
-  const NeighbourRule rule = scenario_.differential_operator->neighbour_rule();
+  const NeighbourRule rule = scenario_.differential_operator.made->neighbour_rule();
   if (rule.adjacent == 0 && rule.reach() <= 1)
     throw InputError("operator.smoothing_length",
                      fmt::format("{} reaches {:.3g} spacings at this smoothing length: it has no "
                                  "neighbours",
-                                 scenario_.operator_name(), rule.reach()));
+                                 scenario_.differential_operator.name(), rule.reach()));
+  if (scenario_.differential_operator.made->needs_circulation())
+    throw InputError("operator",
+                     fmt::format("{} needs points with circulation, which the model {} has not",
+                                 scenario_.differential_operator.name(), scenario_.model_type));
   if (rule.adjacent > *scenario_.domain.extension)
     throw InputError("domain.extension",
                      fmt::format("{} needs {} cell{} beyond each end, and 'extension' is {}",
-                                 scenario_.operator_name(), rule.adjacent,
+                                 scenario_.differential_operator.name(), rule.adjacent,
                                  rule.adjacent == 1 ? "" : "s", *scenario_.domain.extension));
   if (static_cast<double>(*scenario_.domain.extension) < std::floor(rule.reach()))
     warnings_.push_back(fmt::format(
@@ -127,7 +131,7 @@ void Simulation::build(const Document& document, const Catalogue& catalogue) {
         "{:.3g}: derivatives near the ends miss neighbours",
         document.locate("domain.extension"), *scenario_.domain.extension, rule.reach()));
   LineSetup setup = line_setup(scenario_, catalogue);
-  setup.differential_operator = on_a_line(std::move(scenario_.differential_operator));
+  setup.differential_operator = on_a_line(std::move(scenario_.differential_operator.made));
   model_ = scenario_.model->make(std::move(setup));
   integrator_ = entry_named(catalogue.integrators, scenario_.time.integrator).make();
   conserved_at_start_ = model_->conserved();

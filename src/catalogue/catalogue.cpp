@@ -7,10 +7,10 @@
 namespace mote {
 
 std::unique_ptr<AnyOperator> Catalogue::make_operator(const std::string& family,
-                                                      const std::string& kernel,
+                                                      const std::string& member,
                                                       std::int64_t dimension) const {
   for (const OperatorEntry& entry : operators)
-    if (entry.family == family && entry.kernel == kernel) return entry.make(dimension);
+    if (entry.family == family && entry.member == member) return entry.make(dimension);
   return nullptr;
 }
 

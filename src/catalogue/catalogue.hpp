@@ -18,14 +18,15 @@ namespace mote {
 
 struct KernelEntry : Choice {};
 
-/// A differential operator: a family, and the kernel it is built on ("" for a family without one).
+/// A differential operator: a family, and what distinguishes the members of the family, which is
+/// the kernel they are built on, the degree of their polynomials, or nothing (then both are empty).
 struct OperatorEntry {
-  std::string family, kernel, summary;
+  std::string family, distinction, member, summary;
   /// Makes it with default options; null if it does not exist in this dimension.
   std::function<std::unique_ptr<AnyOperator>(std::int64_t dimension)> make;
 
   /// The short form that a scenario may use: `sph.gauss`.
-  std::string name() const { return kernel.empty() ? family : family + "." + kernel; }
+  std::string name() const { return member.empty() ? family : family + "." + member; }
 };
 
 struct IntegratorEntry : Choice {
@@ -38,6 +39,7 @@ struct ModelEntry : Choice {
 
 struct LayoutEntry : Choice {
   std::function<Cells(double lower, double upper, Index count, std::uint64_t seed)> cells;
+  std::function<double(Index i, Index count, std::uint64_t seed)> relative_length;
 };
 
 struct ExactEntry : Choice {
@@ -58,7 +60,7 @@ struct Catalogue {
 
   /// Makes an operator with default options; null if there is none of these names in this
   /// dimension.
-  std::unique_ptr<AnyOperator> make_operator(const std::string& family, const std::string& kernel,
+  std::unique_ptr<AnyOperator> make_operator(const std::string& family, const std::string& member,
                                              std::int64_t dimension) const;
 
   /// Adds a kernel, and with it an operator for each of mote's families built on kernels.
@@ -119,16 +121,21 @@ template <template <int> class Kernel>
 void Catalogue::add_kernel() {
   kernels.push_back({choice_of<Kernel<1>>()});
   for_each_kernel_family(KernelFamilies{}, [&]<template <int, class> class Family>() {
-    operators.push_back({std::string(Family<1, Kernel<1>>::family), std::string(Kernel<1>::name),
-                         std::string(Kernel<1>::summary),
+    operators.push_back({std::string(Family<1, Kernel<1>>::family), "kernel",
+                         std::string(Kernel<1>::name), std::string(Kernel<1>::summary),
                          new_operator<OnKernel<Family, Kernel>::template Operator>});
   });
 }
 
 template <template <int> class Family>
 void Catalogue::add_family() {
-  operators.push_back(
-      {std::string(Family<1>::family), "", std::string(Family<1>::summary), new_operator<Family>});
+  OperatorEntry entry{std::string(Family<1>::family), "", "", std::string(Family<1>::summary),
+                      new_operator<Family>};
+  if constexpr (requires { Family<1>::degree; }) {
+    entry.distinction = "degree";
+    entry.member = std::to_string(Family<1>::degree);
+  }
+  operators.push_back(std::move(entry));
 }
 
 template <class Method>
@@ -143,7 +150,7 @@ void Catalogue::add_model() {
 
 template <class Layout>
 void Catalogue::add_layout() {
-  layouts.push_back({choice_of<Layout>(), cells_of_line<Layout>});
+  layouts.push_back({choice_of<Layout>(), cells_of_line<Layout>, Layout::relative_length});
 }
 
 }  // namespace mote

@@ -64,6 +64,13 @@ class Description {
                        const std::function<void(const std::string&)>& rest) = 0;
   /// A nested section; `body` describes its keys on this same object.
   virtual void section(const Key& key, const std::function<void()>& body) = 0;
+  /// A list of sections, which may hold any number of them; `body` describes the keys of the k-th
+  /// on this same object, and has to make room for it.
+  virtual void list(const Key& key, std::size_t& count,
+                    const std::function<void(std::size_t k)>& body) = 0;
+  /// A list of formulas, and of some of the words.
+  virtual void expressions(const Key& key, std::vector<std::string>& values) = 0;
+  virtual void words(const Key& key, std::vector<std::string>& values, const Choices& choices) = 0;
   /// Named numbers that later expressions may use.
   virtual void constants(const Key& key, std::vector<std::pair<std::string, double>>& values) = 0;
 };

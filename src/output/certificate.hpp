@@ -31,12 +31,15 @@ struct Drift {
 };
 std::vector<Drift> drifts(const std::vector<Conserved>& start, const std::vector<Conserved>& end);
 
-/// One statement of the certificate: a number and the limit it must not exceed.
+/// One statement of the certificate: a number and the limit it must not exceed, or must reach.
 struct CheckResult {
+  enum class Sense { at_most, at_least };
+
   std::string name;
   double value = 0;
   double limit = 0;
-  bool passed() const { return value <= limit; }
+  Sense sense = Sense::at_most;
+  bool passed() const { return sense == Sense::at_most ? value <= limit : value >= limit; }
 };
 
 /// What a run ends with, good or bad.
@@ -59,6 +62,10 @@ struct Certificate {
 
 /// The certificate as the contract's summary.json.
 std::string summary_json(const Certificate& certificate);
+
+/// Checks as a section of a report, and as lines for a terminal.
+std::string checks_markdown(const std::vector<CheckResult>& checks);
+std::string checks_text(const std::vector<CheckResult>& checks);
 
 /// The certificate for a person; shows `picture` if there is one.
 std::string report_markdown(const Certificate& certificate, const std::string& picture);

@@ -18,13 +18,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void make_folder(const fs::path& path) {
-  std::error_code error;
-  fs::create_directories(path, error);
-  if (error)
-    throw InputError(
-        fmt::format("{}: cannot make this folder: {}", path.string(), error.message()));
-}
+const FolderKind run_folder{"run",
+                            "run.yaml",
+                            std::string(run_file_mark),
+                            {"summary.json", "report.md", "history.csv", "exact.csv",
+                             "snapshots.hdf.series", "fields.png"}};
 
 std::string name_of_frame(std::int64_t frame) { return fmt::format("{:06}.hdf", frame); }
 
@@ -46,43 +44,16 @@ std::vector<std::int64_t> frames_in(const fs::path& folder) {
   return frames;
 }
 
-/// Removes the files of a former run and nothing else. run.yaml goes last: as long as it is there
-/// the folder is known as a run's.
-void remove_run(const fs::path& path) {
-  std::string first_line;
-  std::getline(std::ifstream(path / "run.yaml"), first_line);
-  if (first_line != run_file_mark)
-    throw InputError(fmt::format(
-        "{}: this folder is not the output of a run, so it is not overwritten", path.string()));
-  std::vector<fs::path> files;
-  for (const std::int64_t frame : frames_in(path))
-    files.push_back(path / "snapshots" / name_of_frame(frame));
-  for (const char* name : {"summary.json", "report.md", "history.csv", "exact.csv",
-                           "snapshots.hdf.series", "fields.png", "run.yaml"})
-    files.push_back(path / name);
-  std::error_code error;
-  for (const fs::path& file : files)
-    if (!error) fs::remove(file, error);
-  if (error)
-    throw InputError(
-        fmt::format("{}: cannot remove the former run: {}", path.string(), error.message()));
-}
-
 }  // namespace
 
 OutputFolder OutputFolder::create(const fs::path& path, Existing existing) {
-  std::error_code error;
-  if (fs::exists(path, error) && !fs::is_directory(path, error))
-    throw InputError(fmt::format("{}: this is a file, not a folder", path.string()));
-  const bool is_new = !fs::exists(path, error) || fs::is_empty(path, error);
-  if (!is_new && existing == Existing::refuse)
-    throw InputError(
-        fmt::format("{}: this folder exists and is not empty; --overwrite replaces a former run",
-                    path.string()));
-  make_folder(path);
   OutputFolder folder(path);
-  folder.lock_ = std::make_unique<FolderLock>(path);
-  if (!is_new) remove_run(path);
+  ClaimedFolder claimed(path, existing, run_folder);
+  std::vector<fs::path> snapshots;
+  for (const std::int64_t frame : frames_in(path))
+    snapshots.push_back(path / "snapshots" / name_of_frame(frame));
+  claimed.remove_former(snapshots);
+  folder.lock_ = claimed.take_lock();
   make_folder(path / "snapshots");
   return folder;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mote/exact/exact_solution.hpp"
+#include "mote/output/claim_folder.hpp"
 #include "mote/output/folder_lock.hpp"
 #include "mote/output/history.hpp"
 #include "mote/output/snapshot.hpp"
@@ -17,9 +18,6 @@ namespace mote {
 /// The first line of run.yaml, by which a folder is known as the output of a run.
 inline constexpr std::string_view run_file_mark =
     "# The scenario as it was run, with every default.";
-
-/// What to do when the folder of a run is there already.
-enum class Existing { refuse, replace };
 
 /// The folder that a run leaves behind: run.yaml, snapshots, history.csv, summary.json, report.md,
 /// exact.csv and the picture. A file in it is whole at any moment, but for the last row of

@@ -43,6 +43,19 @@ T read_attribute(hid_t object, const std::string& name, hid_t type) {
   return value;
 }
 
+bool is_of_numbers(hid_t data_set, const std::string& name) {
+  const Handle type(H5Dget_type(data_set), H5Tclose, "data set " + name);
+  const H5T_class_t kind = H5Tget_class(type);
+  return kind == H5T_INTEGER || kind == H5T_FLOAT;
+}
+
+bool keeps_order(hid_t group) {
+  const Handle properties(H5Gget_create_plist(group), H5Pclose, "members of a group");
+  unsigned order = 0;
+  require(H5Pget_link_creation_order(properties, &order), "members of a group");
+  return (order & H5P_CRT_ORDER_INDEXED) != 0;
+}
+
 }  // namespace
 
 Handle::Handle(hid_t id, Close close, const std::string& what) : id_(id), close_(close) {
@@ -131,14 +144,30 @@ std::string read_string(hid_t object, const std::string& name) {
   return value;
 }
 
+bool has(hid_t group, const std::string& name) {
+  return H5Lexists(group, name.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::optional<std::vector<hsize_t>> shape_of_numbers(hid_t group, const std::string& name) {
+  const Handle object(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose, "there is no " + name);
+  if (H5Iget_type(object) != H5I_DATASET || !is_of_numbers(object, name)) return std::nullopt;
+  const Handle space(H5Dget_space(object), H5Sclose, "data set " + name);
+  const int dimensions = H5Sget_simple_extent_ndims(space);
+  require(dimensions, "data set " + name);
+  if (dimensions == 0) return std::vector<hsize_t>{1};
+  std::vector<hsize_t> shape(static_cast<std::size_t>(dimensions));
+  require(H5Sget_simple_extent_dims(space, shape.data(), nullptr), "data set " + name);
+  return shape;
+}
+
 std::vector<std::string> members(hid_t group) {
   std::vector<std::string> names;
   const auto collect = [](hid_t, const char* name, const H5L_info_t*, void* result) -> herr_t {
     static_cast<std::vector<std::string>*>(result)->emplace_back(name);
     return 0;
   };
-  require(H5Literate(group, H5_INDEX_CRT_ORDER, H5_ITER_INC, nullptr, collect, &names),
-          "members of a group");
+  const H5_index_t order = keeps_order(group) ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
+  require(H5Literate(group, order, H5_ITER_INC, nullptr, collect, &names), "members of a group");
   return names;
 }
 

@@ -2,6 +2,7 @@
 
 #include <hdf5.h>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -56,7 +57,14 @@ std::int64_t read_integer(hid_t object, const std::string& name);
 double read_double(hid_t object, const std::string& name);
 std::string read_string(hid_t object, const std::string& name);
 
-/// The names of a group's members in the order in which they were made.
+/// Whether a group has a member of this name.
+bool has(hid_t group, const std::string& name);
+
+/// The lengths of a data set of numbers, {1} for a single number; nothing for any other member.
+std::optional<std::vector<hsize_t>> shape_of_numbers(hid_t group, const std::string& name);
+
+/// The names of a group's members in the order in which they were made, as far as the group keeps
+/// it, else in alphabetical order.
 std::vector<std::string> members(hid_t group);
 
 }  // namespace mote::hdf5

@@ -9,9 +9,9 @@
 
 namespace mote {
 
-std::string draw_picture(const std::filesystem::path& shared, const std::filesystem::path& folder) {
-  const std::string script = (shared / "plot").string(), target = folder.string();
-  if (!std::filesystem::exists(script)) return fmt::format("the script {} is missing", script);
+std::string draw_pictures(const std::filesystem::path& path, const std::filesystem::path& folder) {
+  const std::string script = path.string(), target = folder.string();
+  if (!std::filesystem::exists(path)) return fmt::format("the script {} is missing", script);
   // The system's own Python: it has the Debian packages, a user's version manager may not.
   std::string python = "/usr/bin/python3", script_argument = script, folder_argument = target;
   const std::array<char*, 4> arguments{python.data(), script_argument.data(),

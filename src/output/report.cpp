@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "mote/output/certificate.hpp"
@@ -15,12 +16,9 @@ std::string verdict(const Certificate& c) {
   return c.passed() ? "**Passed: every check holds.**" : "**A check failed.**";
 }
 
-void add_checks(Out out, const Certificate& c) {
-  if (c.checks.empty()) return;
-  fmt::format_to(out, "\n## Checks\n\n| check | value | limit | |\n|---|---|---|---|\n");
-  for (const CheckResult& check : c.checks)
-    fmt::format_to(out, "| {} | {:.3g} | {:.3g} | {} |\n", check.name, check.value, check.limit,
-                   check.passed() ? "passed" : "**failed**");
+std::string limit_in_words(const CheckResult& check) {
+  return fmt::format("at {} {:.3g}", check.sense == CheckResult::Sense::at_most ? "most" : "least",
+                     check.limit);
 }
 
 void add_errors(Out out, const Certificate& c) {
@@ -59,12 +57,31 @@ void add_cost(Out out, const Certificate& c) {
 
 }  // namespace
 
+std::string checks_markdown(const std::vector<CheckResult>& checks) {
+  if (checks.empty()) return "";
+  std::string text = "\n## Checks\n\n| check | value | limit | |\n|---|---|---|---|\n";
+  for (const CheckResult& check : checks)
+    fmt::format_to(std::back_inserter(text), "| {} | {:.3g} | {} | {} |\n", check.name, check.value,
+                   limit_in_words(check), check.passed() ? "passed" : "**failed**");
+  return text;
+}
+
+std::string checks_text(const std::vector<CheckResult>& checks) {
+  std::size_t width = 28;
+  for (const CheckResult& check : checks) width = std::max(width, check.name.size());
+  std::string text;
+  for (const CheckResult& check : checks)
+    fmt::format_to(std::back_inserter(text), "  {:<{}} {:<10.3g} {:<18} {}\n", check.name, width,
+                   check.value, limit_in_words(check), check.passed() ? "passed" : "FAILED");
+  return text;
+}
+
 std::string report_markdown(const Certificate& c, const std::string& picture) {
   std::string text;
   const Out out = std::back_inserter(text);
   fmt::format_to(out, "# {}\n\n{}\n", c.name, verdict(c));
   if (!picture.empty()) fmt::format_to(out, "\n![fields at the end]({})\n", picture);
-  add_checks(out, c);
+  text += checks_markdown(c.checks);
   add_errors(out, c);
   add_conservation(out, c);
   fmt::format_to(out, "\n## Method\n\nModel `{}`, operator `{}`, integrator `{}`; units: {}.\n",

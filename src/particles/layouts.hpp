@@ -18,7 +18,8 @@ struct Cells {
 };
 
 /// The five meshes of Isshiki (2014), Table 2. A mesh gives the relative length of cell i of
-/// `count`; the factor alpha that makes them fill the region is found in `cells_of_line`.
+/// `count`, i also below 0 and beyond count - 1 for cells outside the region; the factor alpha that
+/// makes them fill the region is found in `cells_of_line`.
 struct Regular {
   static constexpr std::string_view name = "regular";
   static constexpr std::string_view summary = "cells of equal length";
@@ -43,7 +44,10 @@ struct Random {
   static constexpr std::string_view name = "random";
   static constexpr std::string_view summary = "lengths vary at random by up to 6.25 %";
   static double relative_length(Index i, Index, std::uint64_t seed) {
-    return 1 + 0.0625 * uniform_random(seed, static_cast<std::uint64_t>(i));
+    constexpr std::uint64_t stream_below = 1000;  // of the cells below the region, nearest first
+    return 1 +
+           0.0625 * (i < 0 ? uniform_random(seed + stream_below, static_cast<std::uint64_t>(-1 - i))
+                           : uniform_random(seed, static_cast<std::uint64_t>(i)));
   }
 };
 

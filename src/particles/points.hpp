@@ -16,6 +16,7 @@ struct Points {
   std::vector<double> position;  ///< D numbers a point
   std::vector<double> mass;
   std::vector<double> density;
+  std::vector<double> circulation, vorticity;  ///< empty where there is no vorticity
   std::vector<double> length;  ///< local spacing; smoothing lengths are multiples of it
 
   Index size() const { return static_cast<Index>(length.size()); }

@@ -12,4 +12,8 @@ using Index = std::int32_t;
 template <int D>
 using Vec = Eigen::Matrix<double, D, 1>;
 
+/// A matrix in D dimensions.
+template <int D>
+using Mat = Eigen::Matrix<double, D, D>;
+
 }  // namespace mote

@@ -46,45 +46,6 @@ void describe_initial(Description& d, Scenario& scenario) {
   }
 }
 
-/// The operators of one family, or their kernels, as choices.
-Choices families(const Catalogue& catalogue) {
-  Choices choices;
-  for (const OperatorEntry& entry : catalogue.operators)
-    if (std::ranges::find(choices, entry.family, &Choice::name) == choices.end())
-      choices.push_back({entry.family, entry.kernel.empty() ? entry.summary : "on a kernel"});
-  return choices;
-}
-
-Choices kernels_of(const Catalogue& catalogue, const std::string& family) {
-  Choices choices;
-  for (const OperatorEntry& entry : catalogue.operators)
-    if (entry.family == family && !entry.kernel.empty())
-      choices.push_back({entry.kernel, entry.summary});
-  return choices;
-}
-
-void describe_kernel(Description& d, Scenario& scenario, const Catalogue& catalogue,
-                     const std::string& family, const std::string& kernel) {
-  if (!scenario.differential_operator || scenario.family != family || scenario.kernel != kernel)
-    scenario.differential_operator =
-        catalogue.make_operator(family, kernel, std::max<std::int64_t>(1, scenario.dimension));
-  scenario.family = family;
-  scenario.kernel = kernel;
-  if (scenario.differential_operator) scenario.differential_operator->describe(d);
-}
-
-void describe_operator(Description& d, Scenario& scenario, const Catalogue& catalogue) {
-  d.variant({"family", "what the weights of neighbours come from", true}, scenario.family,
-            families(catalogue), [&](const std::string& family) {
-              const Choices kernels = kernels_of(catalogue, family);
-              if (kernels.empty()) return describe_kernel(d, scenario, catalogue, family, "");
-              d.variant({"kernel", "smoothing kernel", true}, scenario.kernel, kernels,
-                        [&](const std::string& kernel) {
-                          describe_kernel(d, scenario, catalogue, family, kernel);
-                        });
-            });
-}
-
 void describe_time(Description& d, Scenario::Time& time, const Catalogue& catalogue) {
   d.choice({"integrator", "how time goes on"}, time.integrator, choices_of(catalogue.integrators));
   d.number({"step", "longest time step", true}, time.step, positive);
@@ -162,8 +123,9 @@ void describe(Description& d, Scenario& scenario, const Catalogue& catalogue) {
   d.section({"initial", "state at the start, as expressions", true}, [&] {
     if (scenario.model) describe_initial(d, scenario);
   });
-  d.section({"operator", "how derivatives are formed", true},
-            [&] { describe_operator(d, scenario, catalogue); });
+  d.section({"operator", "how derivatives are formed", true}, [&] {
+    describe_operator(d, scenario.differential_operator, catalogue, scenario.dimension);
+  });
   d.section({"time", "step and end", true}, [&] { describe_time(d, scenario.time, catalogue); });
   d.section({"output", "what is written"}, [&] { describe_output(d, scenario.output); });
   d.section({"check", "what the result must hold"},

@@ -5,6 +5,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -163,6 +164,9 @@ std::string Document::locate(const std::string& path) const {
   std::istringstream keys(path);
   for (std::string key; std::getline(keys, key, '.');) {
     const Value* next = value->find(key);
+    std::size_t item = 0;
+    const auto parsed = std::from_chars(key.data(), key.data() + key.size(), item);
+    if (parsed.ec == std::errc{} && item < value->list.size()) next = &value->list[item];
     if (next == nullptr) break;
     value = next;
   }

@@ -45,7 +45,8 @@ class Document {
 
   const Value& root() const { return root_; }
 
-  /// Where the value of a dotted key path was written, or the nearest section around it.
+  /// Where the value of a dotted key path was written, or the nearest section around it; a number
+  /// in the path is an item of a list, from 0.
   std::string locate(const std::string& path) const;
 
  private:

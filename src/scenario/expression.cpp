@@ -101,6 +101,10 @@ double Expression::operator()(const Place& place) const {
 
 bool Expression::depends_on_place() const { return !parser_->GetUsedVar().empty(); }
 
+bool Expression::uses(const std::string& variable) const {
+  return parser_->GetUsedVar().contains(variable);
+}
+
 bool Expression::is_reserved(const std::string& name) {
   if (name == "clamp" || std::ranges::find(reserved_names, name) != reserved_names.end())
     return true;

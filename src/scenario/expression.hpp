@@ -41,8 +41,9 @@ class Expression {
   /// May be infinite or NaN where the formula is.
   double operator()(const Place& place) const;
 
-  /// Whether the formula names x, y, z, r or t.
+  /// Whether the formula names x, y, z, r or t, and whether it names this one of them.
   bool depends_on_place() const;
+  bool uses(const std::string& variable) const;
 
   /// Names that a constant must not have.
   static bool is_reserved(const std::string& name);

@@ -59,8 +59,8 @@ void check_choice(const Value& value, const std::string& word, const std::string
 
 }  // namespace
 
-Reader::Reader(const Document& document) {
-  levels_.push_back({&document.root(), document.root().origin.text, "the scenario"});
+Reader::Reader(const Document& document, const std::string& what) {
+  levels_.push_back({&document.root(), document.root().origin.text, what});
 }
 
 void Reader::finish() { close(levels_.front()); }
@@ -196,27 +196,54 @@ void Reader::numbers(const Key& key, std::vector<double>& values) {
   for (const Value& item : given->list) values.push_back(read_number(item, key.name));
 }
 
-void Reader::expression(const Key& key, std::string& value) {
-  const Value* given = take(key);
-  if (given == nullptr) return;
-  const bool unquoted = given->kind == Value::Kind::section || given->kind == Value::Kind::list;
-  value = require(*given, Value::Kind::word,
-                  fmt::format("'{}' must be a number or an expression{}", key.name,
-                              unquoted ? ", which goes in quotes" : ""))
-              .word;
-  if (is_questionable_number(value))
-    refuse(*given, fmt::format("'{}' must be a finite decimal number, not '{}'", key.name, value));
-  if (value.empty()) refuse(*given, fmt::format("'{}' must not be empty", key.name));
+std::string Reader::read_expression(const Value& given, const std::string& name) const {
+  const bool unquoted = given.kind == Value::Kind::section || given.kind == Value::Kind::list;
+  const std::string& text = require(given, Value::Kind::word,
+                                    fmt::format("'{}' must be a number or an expression{}", name,
+                                                unquoted ? ", which goes in quotes" : ""))
+                                .word;
+  if (is_questionable_number(text))
+    refuse(given, fmt::format("'{}' must be a finite decimal number, not '{}'", name, text));
+  if (text.empty()) refuse(given, fmt::format("'{}' must not be empty", name));
   double number = 0;
-  const auto parsed = std::from_chars(value.data(), value.data() + value.size(), number);
+  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
   if (parsed.ec == std::errc::result_out_of_range)
-    refuse(*given, fmt::format("'{}' must be finite: {} is out of range", key.name, value));
+    refuse(given, fmt::format("'{}' must be finite: {} is out of range", name, text));
   try {
-    Expression(value, constants_);
+    Expression(text, constants_);
   } catch (const ExpressionError& problem) {
     const std::string place =
         problem.position() < 0 ? "in" : fmt::format("at character {} of", problem.position() + 1);
-    refuse(*given, fmt::format("'{}': {} {} '{}'", key.name, problem.what(), place, value));
+    refuse(given, fmt::format("'{}': {} {} '{}'", name, problem.what(), place, text));
+  }
+  return text;
+}
+
+void Reader::expression(const Key& key, std::string& value) {
+  const Value* given = take(key);
+  if (given != nullptr) value = read_expression(*given, key.name);
+}
+
+void Reader::expressions(const Key& key, std::vector<std::string>& values) {
+  const Value* given = take(key);
+  if (given == nullptr) return;
+  require(*given, Value::Kind::list, fmt::format("'{}' must be a list of expressions", key.name));
+  values.clear();
+  for (const Value& item : given->list) values.push_back(read_expression(item, key.name));
+}
+
+void Reader::words(const Key& key, std::vector<std::string>& values, const Choices& choices) {
+  const Value* given = take(key);
+  if (given == nullptr) return;
+  const std::string what = fmt::format("'{}' must be a list of words, as in [{}]", key.name,
+                                       choices.empty() ? "" : choices.front().name);
+  require(*given, Value::Kind::list, what);
+  if (given->list.empty()) refuse(*given, fmt::format("'{}' must not be empty", key.name));
+  values.clear();
+  for (const Value& item : given->list) {
+    const std::string& word = require(item, Value::Kind::word, what).word;
+    check_choice(item, word, fmt::format("word in '{}':", key.name), choices);
+    values.push_back(word);
   }
 }
 
@@ -255,18 +282,38 @@ void Reader::variant(const Key& key, std::string& value, const Choices& choices,
 void Reader::section(const Key& key, const std::function<void()>& body) {
   const Value* given = take(key);
   if (given == nullptr && key.required) refuse_missing(levels_.back(), key.name);
+  read_section(given, key.name, body);
+}
+
+void Reader::list(const Key& key, std::size_t& count,
+                  const std::function<void(std::size_t)>& body) {
+  const Value* given = take(key);
+  if (given == nullptr) {
+    if (key.required) refuse_missing(levels_.back(), key.name);
+    return;
+  }
+  require(*given, Value::Kind::list, fmt::format("'{}' must be a list", key.name));
+  if (given->list.empty() && key.required)
+    refuse(*given, fmt::format("'{}' must not be empty", key.name));
+  count = given->list.size();
+  for (std::size_t k = 0; k < count; ++k) read_section(&given->list[k], key.name, [&] { body(k); });
+}
+
+/// Reads a section, also one that the file does not have (null).
+void Reader::read_section(const Value* given, const std::string& name,
+                          const std::function<void()>& body) {
   Level level{given, given != nullptr ? given->origin.text : levels_.back().place,
-              fmt::format("section '{}'", key.name)};
+              fmt::format("section '{}'", name)};
   if (given != nullptr) {
     if (given->kind == Value::Kind::list || given->kind == Value::Kind::empty)
-      refuse(*given, fmt::format("'{}' must be a section of keys", key.name));
+      refuse(*given, fmt::format("'{}' must be a section of keys", name));
     std::istringstream words(given->kind == Value::Kind::word ? given->word : given->short_form);
     for (std::string word; std::getline(words, word, '.');) level.short_form.push_back(word);
   }
   levels_.push_back(std::move(level));
   body();
   if (given != nullptr && given->kind == Value::Kind::word && !levels_.back().has_variant)
-    refuse(*given, fmt::format("'{}' must be a section of keys", key.name));
+    refuse(*given, fmt::format("'{}' must be a section of keys", name));
   close(levels_.back());
   levels_.pop_back();
 }

@@ -15,7 +15,8 @@ namespace mote {
 /// range, missing keys. Throws LocatedError.
 class Reader final : public Description {
  public:
-  explicit Reader(const Document& document);
+  /// `what` names the document in messages.
+  explicit Reader(const Document& document, const std::string& what = "the scenario");
 
   /// Refuses what is left over at the top level; call it after the last description.
   void finish();
@@ -32,6 +33,10 @@ class Reader final : public Description {
   void variant(const Key& key, std::string& value, const Choices& choices,
                const std::function<void(const std::string&)>& rest) override;
   void section(const Key& key, const std::function<void()>& body) override;
+  void list(const Key& key, std::size_t& count,
+            const std::function<void(std::size_t)>& body) override;
+  void expressions(const Key& key, std::vector<std::string>& values) override;
+  void words(const Key& key, std::vector<std::string>& values, const Choices& choices) override;
   void constants(const Key& key, std::vector<std::pair<std::string, double>>& values) override;
 
  private:
@@ -48,6 +53,8 @@ class Reader final : public Description {
 
   const Value* take(const Key& key);
   double read_number(const Value& value, const std::string& name);
+  std::string read_expression(const Value& value, const std::string& name) const;
+  void read_section(const Value* given, const std::string& name, const std::function<void()>& body);
   void close(const Level& level) const;
   void refuse_unknown_keys(const Level& level) const;
   void refuse_misspelt(const Level& level, const std::string& key) const;

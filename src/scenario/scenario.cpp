@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "mote/scenario/folder_name.hpp"
 #include "mote/scenario/located_error.hpp"
 #include "mote/scenario/reader.hpp"
 #include "mote/scenario/version.hpp"
@@ -15,21 +16,13 @@
 namespace mote {
 namespace {
 
-constexpr const char* name_characters =
-    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
-
 /// Rules that no single key can state.
 void check_together(const Scenario& scenario, const Document& document) {
   const auto refuse = [&](const std::string& key, const std::string& message) {
     throw LocatedError(document.locate(key), message);
   };
-  if (scenario.name.find_first_not_of(name_characters) != std::string::npos ||
-      scenario.name.starts_with('.'))
-    refuse("name", fmt::format("'{}' cannot name a folder: letters, digits, '_', '-' and '.' can",
-                               scenario.name));
-  if (scenario.name.size() > 100)
-    refuse("name",
-           fmt::format("a name has at most 100 characters, and this has {}", scenario.name.size()));
+  const std::string problem = folder_name_problem(scenario.name);
+  if (!problem.empty()) refuse("name", problem);
   const auto dimension = static_cast<std::size_t>(scenario.dimension);
   for (const char* corner : {"lower", "upper"}) {
     const auto& values = corner[0] == 'l' ? scenario.domain.lower : scenario.domain.upper;
@@ -48,9 +41,9 @@ void check_together(const Scenario& scenario, const Document& document) {
   if (scenario.dimension != 1)
     refuse("dimension", fmt::format("the model {} lives on a line: dimension must be 1, and is {}",
                                     scenario.model_type, scenario.dimension));
-  if (!scenario.differential_operator)
+  if (!scenario.differential_operator.made)
     refuse("operator", fmt::format("the operator {} does not exist in {} dimensions",
-                                   scenario.operator_name(), scenario.dimension));
+                                   scenario.differential_operator.name(), scenario.dimension));
   const double steps = scenario.time.end / scenario.time.step;
   if (!(steps < 1e12))
     refuse("time.step", fmt::format("{:.3g} steps of {} to the end {} are more than 1e12", steps,
@@ -70,7 +63,7 @@ void fill_defaults(Scenario& scenario) {
         1, static_cast<std::int64_t>(*output.every / scenario.time.step / 10));
   if (!scenario.domain.extension)
     scenario.domain.extension = static_cast<std::int64_t>(
-        std::ceil(scenario.differential_operator->neighbour_rule().reach()));
+        std::ceil(scenario.differential_operator.made->neighbour_rule().reach()));
 }
 
 enum class Record { without, with };

@@ -10,6 +10,7 @@
 #include "mote/options/description.hpp"
 #include "mote/scenario/document.hpp"
 #include "mote/scenario/expression.hpp"
+#include "mote/scenario/operator_choice.hpp"
 
 namespace mote {
 
@@ -39,8 +40,7 @@ struct Scenario {
   std::unique_ptr<ModelRecipe> model;
   std::vector<std::pair<std::string, std::string>> initial;  ///< field, expression
 
-  std::string family, kernel;
-  std::unique_ptr<AnyOperator> differential_operator;
+  OperatorChoice differential_operator;
 
   struct Time {
     std::string integrator = "velocity_verlet";
@@ -70,7 +70,6 @@ struct Scenario {
     const Checks& of(Frame frame) const;
   } check;
 
-  std::string operator_name() const { return kernel.empty() ? family : family + "." + kernel; }
   Constants constants_by_name() const { return {constants.begin(), constants.end()}; }
 };
 

@@ -1,5 +1,7 @@
 #include "mote/scenario/schema.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -39,10 +41,7 @@ class SchemaWriter final : public Description {
     add(key, {{"type", {"number", "string"}}}, Json(value));
   }
   void choice(const Key& key, std::string& value, const Choices& choices) override {
-    Json words = Json::array();
-    for (const Choice& choice : choices)
-      words.push_back({{"const", choice.name}, {"description", choice.summary}});
-    add(key, {{"oneOf", words}}, Json(value));
+    add(key, one_of(choices), Json(value));
   }
 
   void variant(const Key& key, std::string& value, const Choices& choices,
@@ -51,7 +50,7 @@ class SchemaWriter final : public Description {
     Json* outer = object_;
     for (const Choice& choice : choices) {
       Json alternative;
-      alternative["if"] = {{"properties", {{key.name, {{"const", choice.name}}}}},
+      alternative["if"] = {{"properties", {{key.name, exactly(choice.name)}}},
                            {"required", {key.name}}};
       object_ = &alternative["then"];
       rest(choice.name);
@@ -62,6 +61,32 @@ class SchemaWriter final : public Description {
   }
 
   void section(const Key& key, const std::function<void()>& body) override {
+    add(key, section_of(body), Json());
+  }
+
+  void list(const Key& key, std::size_t&, const std::function<void(std::size_t)>& body) override {
+    const auto describe_one = [&] { body(0); };
+    add(key,
+        {{"type", "array"},
+         {"minItems", key.required ? 1 : 0},
+         {"items", section_of(describe_one)}},
+        Json());
+  }
+  void expressions(const Key& key, std::vector<std::string>&) override {
+    add(key, {{"type", "array"}, {"items", {{"type", {"number", "string"}}}}}, Json());
+  }
+  void words(const Key& key, std::vector<std::string>& values, const Choices& choices) override {
+    add(key, {{"type", "array"}, {"minItems", 1}, {"items", one_of(choices)}},
+        values.empty() ? Json() : Json(values));
+  }
+
+  void constants(const Key& key, std::vector<std::pair<std::string, double>>&) override {
+    add(key, {{"type", "object"}, {"additionalProperties", numeric("number", {})}}, Json());
+  }
+
+ private:
+  /// The schema of a section, with the short form that a variant in it allows.
+  Json section_of(const std::function<void()>& body) {
     Json* outer = object_;
     bool* outer_short_form = short_form_;
     bool has_short_form = false;
@@ -73,14 +98,26 @@ class SchemaWriter final : public Description {
     object_ = outer;
     short_form_ = outer_short_form;
     if (has_short_form) nested = {{"anyOf", {{{"type", "string"}, {"minLength", 1}}, nested}}};
-    add(key, nested, Json());
+    return nested;
   }
 
-  void constants(const Key& key, std::vector<std::pair<std::string, double>>&) override {
-    add(key, {{"type", "object"}, {"additionalProperties", numeric("number", {})}}, Json());
+  /// A word, and the number that it is where it is one.
+  static Json exactly(const std::string& word) {
+    const bool is_number =
+        std::ranges::all_of(word, [](unsigned char c) { return std::isdigit(c); });
+    if (is_number) return {{"enum", {word, std::stoi(word)}}};
+    return {{"const", word}};
   }
 
- private:
+  static Json one_of(const Choices& choices) {
+    Json words = Json::array();
+    for (const Choice& choice : choices) {
+      words.push_back(exactly(choice.name));
+      words.back()["description"] = choice.summary;
+    }
+    return {{"oneOf", words}};
+  }
+
   void open() {
     (*object_)["type"] = "object";
     (*object_)["unevaluatedProperties"] = false;
@@ -108,15 +145,22 @@ class SchemaWriter final : public Description {
 
 }  // namespace
 
-std::string scenario_schema(const Catalogue& catalogue) {
+std::string schema_of(const std::string& title,
+                      const std::function<void(Description&)>& describe_all) {
   Json schema;
   schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
-  schema["title"] = "mote scenario";
+  schema["title"] = title;
   SchemaWriter writer(schema);
-  Scenario scenario;
-  describe(writer, scenario, catalogue);
-  describe_record(writer, scenario);
+  describe_all(writer);
   return schema.dump(2);
+}
+
+std::string scenario_schema(const Catalogue& catalogue) {
+  return schema_of("mote scenario", [&](Description& description) {
+    Scenario scenario;
+    describe(description, scenario, catalogue);
+    describe_record(description, scenario);
+  });
 }
 
 }  // namespace mote

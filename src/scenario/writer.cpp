@@ -28,6 +28,7 @@ void Writer::count(const Key& key, std::optional<std::int64_t>& value, Range ran
 void Writer::flag(const Key& key, bool& value) { entry(key.name, value ? "true" : "false"); }
 
 void Writer::text(const Key& key, std::string& value) {
+  if (value.empty()) return;  // as good as not given
   out_ << YAML::Key << key.name << YAML::Value << YAML::DoubleQuoted << value;
 }
 
@@ -51,6 +52,31 @@ void Writer::section(const Key& key, const std::function<void()>& body) {
   out_ << YAML::Key << key.name << YAML::Value << YAML::BeginMap;
   body();
   out_ << YAML::EndMap;
+}
+
+void Writer::list(const Key& key, std::size_t& count,
+                  const std::function<void(std::size_t)>& body) {
+  if (count == 0) return;
+  out_ << YAML::Key << key.name << YAML::Value << YAML::BeginSeq;
+  for (std::size_t k = 0; k < count; ++k) {
+    out_ << YAML::BeginMap;
+    body(k);
+    out_ << YAML::EndMap;
+  }
+  out_ << YAML::EndSeq;
+}
+
+void Writer::expressions(const Key& key, std::vector<std::string>& values) {
+  if (values.empty()) return;
+  out_ << YAML::Key << key.name << YAML::Value << YAML::BeginSeq;
+  for (const std::string& value : values) out_ << YAML::DoubleQuoted << value;
+  out_ << YAML::EndSeq;
+}
+
+void Writer::words(const Key& key, std::vector<std::string>& values, const Choices&) {
+  out_ << YAML::Key << key.name << YAML::Value << YAML::Flow << YAML::BeginSeq;
+  for (const std::string& value : values) out_ << value;
+  out_ << YAML::EndSeq;
 }
 
 void Writer::constants(const Key& key, std::vector<std::pair<std::string, double>>& values) {

@@ -27,6 +27,10 @@ class Writer final : public Description {
   void variant(const Key& key, std::string& value, const Choices& choices,
                const std::function<void(const std::string&)>& rest) override;
   void section(const Key& key, const std::function<void()>& body) override;
+  void list(const Key& key, std::size_t& count,
+            const std::function<void(std::size_t)>& body) override;
+  void expressions(const Key& key, std::vector<std::string>& values) override;
+  void words(const Key& key, std::vector<std::string>& values, const Choices& choices) override;
   void constants(const Key& key, std::vector<std::pair<std::string, double>>& values) override;
 
  private:

@@ -39,6 +39,8 @@ const std::vector<ScenarioCase> contradictions{
             {14, "  against: nothing"},
             {15, ""}}),
      "the time in which the gas passes the shortest cell"},
+    {"vortices_of_a_gas", line(10, "operator: @vortex_blob.gauss"),
+     "vortex_blob.gauss needs points with circulation, which the model pressureless_gas has not"},
     {"kernel_of_mps", line(10, "operator: {family: mps, @kernel: gauss}"),
      "unknown key 'kernel' in section 'operator'"},
     {"cutoff_of_gauss", line(10, "operator: {family: sph, kernel: gauss, @cutoff: 2}"),

@@ -24,6 +24,8 @@ Points<1> regular_line() {
     points.position[i] = i < count ? i : i < count + beyond ? count - 1 - i : i - beyond;
     points.mass[i] = points.density[i] = points.length[i] = 1;
   }
+  points.circulation = points.mass;
+  points.vorticity = points.density;
   return points;
 }
 

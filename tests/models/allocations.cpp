@@ -31,15 +31,15 @@ std::vector<PressurelessGasOptions> ways_to_run() {
 /// Takes one step, and asks whether the model can go on from there.
 bool step_holds(PressurelessGas& model, Integrator& integrator, int k) {
   constexpr double step = 0.0025;
-  integrator.advance_one_step(model, k * step, step);
-  model.update_dependent_fields();
-  const long before = allocations();
   try {
+    integrator.advance_one_step(model, k * step, step);
+    model.update_dependent_fields();
+    const long before = allocations();
     model.inspect();
+    EXPECT_EQ(allocations(), before);
   } catch (const NumericalFailure&) {
     return false;
   }
-  EXPECT_EQ(allocations(), before);
   return true;
 }
 
@@ -59,6 +59,21 @@ long allocations_after_first_step(const PressurelessGasOptions& options, Operato
   return allocations() - before;
 }
 
+/// The operators that the gas can use: it has no circulation for vortex blobs.
+std::vector<NamedOperator> operators_of_a_gas() {
+  std::vector<NamedOperator> operators = operators_on_a_line();
+  std::erase_if(operators, [](const auto& op) { return op.name.starts_with("vortex_blob"); });
+  return operators;
+}
+
+TEST(VortexBlob, IsRefusedByAGasWithoutCirculation) {
+  const PressurelessGasOptions options{.viscosity = 1e-3};
+  SymplecticEuler integrator;
+  EXPECT_THROW(allocations_after_first_step(options, std::make_unique<VortexBlob<1, Gauss<1>>>(),
+                                            integrator),
+               InputError);
+}
+
 struct RightHandSide : testing::TestWithParam<NamedOperator> {};
 
 TEST_P(RightHandSide, AllocatesNothingAfterTheFirstStep) {
@@ -73,7 +88,7 @@ TEST_P(RightHandSide, AllocatesNothingAfterTheFirstStep) {
     });
 }
 
-INSTANTIATE_TEST_SUITE_P(, RightHandSide, testing::ValuesIn(operators_on_a_line()),
+INSTANTIATE_TEST_SUITE_P(, RightHandSide, testing::ValuesIn(operators_of_a_gas()),
                          [](const auto& op) { return op.param.name; });
 
 TEST(AllocationCount, NoticesEveryKindOfNew) {

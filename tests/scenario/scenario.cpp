@@ -49,8 +49,8 @@ TEST(Scenario, FillsInDefaults) {
 
 TEST(Scenario, SetReplacesAndAdds) {
   EXPECT_EQ(scenario({"particles.count=7"}).particles.count, 7);
-  EXPECT_EQ(scenario({"operator=mps"}).operator_name(), "mps");
-  EXPECT_EQ(scenario({"operator.kernel=lucy"}).operator_name(), "sph.lucy");
+  EXPECT_EQ(scenario({"operator=mps"}).differential_operator.name(), "mps");
+  EXPECT_EQ(scenario({"operator.kernel=lucy"}).differential_operator.name(), "sph.lucy");
   EXPECT_EQ(scenario({"domain.upper=[3]"}).domain.upper[0], 3);
   EXPECT_EQ(
       scenario({"operator={family: sph, kernel: truncated_gauss, cutoff: 2}"}).domain.extension, 2);

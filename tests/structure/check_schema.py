@@ -1,5 +1,8 @@
 #!/usr/bin/python3
-"""Every scenario fits the JSON Schema that mote prints, and wrong ones do not: MOTE SCENARIOS."""
+"""Every scenario and study fits the JSON Schema that mote prints, and wrong ones do not.
+
+check_schema.py MOTE SCENARIOS
+"""
 import copy
 import json
 import pathlib
@@ -10,13 +13,19 @@ import jsonschema
 import yaml
 
 
-def wrong_ones(good):
-    """Copies of a good scenario, each with one mistake."""
+def changer(good):
+    """A function that returns the good file with one change."""
     def changed(change):
-        scenario = copy.deepcopy(good)
-        change(scenario)
-        return scenario
+        file = copy.deepcopy(good)
+        change(file)
+        return file
 
+    return changed
+
+
+def wrong_scenarios(good):
+    """Copies of a good scenario, each with one mistake."""
+    changed = changer(good)
     yield "unknown key", changed(lambda s: s.update(partcles={}))
     yield "missing key", changed(lambda s: s.pop("particles"))
     yield "unknown key in a section", changed(lambda s: s["time"].update(stop=1))
@@ -27,20 +36,41 @@ def wrong_ones(good):
     yield "kernel for mps", changed(lambda s: s.update(operator={"family": "mps", "kernel": "lucy"}))
 
 
-def main():
-    program, folder = sys.argv[1], pathlib.Path(sys.argv[2])
-    schema = json.loads(subprocess.run([program, "schema"], capture_output=True, check=True).stdout)
+def wrong_studies(good):
+    """Copies of a good study, each with one mistake."""
+    changed = changer(good)
+    yield "unknown key", changed(lambda s: s.update(layout=[]))
+    yield "missing key", changed(lambda s: s.pop("operators"))
+    yield "no operators", changed(lambda s: s.update(operators=[]))
+    yield "a word for the operators", changed(lambda s: s.update(operators="mps"))
+    yield "unknown key in an item", changed(lambda s: s["operators"].append({"familly": "mps"}))
+    yield "unknown layout", changed(lambda s: s["layouts"].append({"type": "square"}))
+    yield "unknown quantity", changed(lambda s: s.update(quantities=["slope"]))
+
+
+def check(program, of, files, wrong_ones):
+    """Checks the schema of one kind of file; returns how many good and wrong ones there were."""
+    printed = subprocess.run([program, "schema", of], capture_output=True, check=True).stdout
+    schema = json.loads(printed)
     jsonschema.Draft202012Validator.check_schema(schema)
     validator = jsonschema.Draft202012Validator(schema)
-    files = sorted(folder.rglob("*.yaml"))
-    assert files, f"no scenarios in {folder}"
+    assert files, f"there is no {of}"
     for file in files:
-        scenario = yaml.safe_load(file.read_text())
-        errors = [f"{file}: {error.message}" for error in validator.iter_errors(scenario)]
+        good = yaml.safe_load(file.read_text())
+        errors = [f"{file}: {error.message}" for error in validator.iter_errors(good)]
         assert not errors, "\n".join(errors)
-    for what, scenario in wrong_ones(scenario):
-        assert not validator.is_valid(scenario), f"the schema accepts: {what}"
-    print(f"{len(files)} scenarios fit the schema, 8 wrong ones do not")
+    wrong = list(wrong_ones(good))
+    for what, file in wrong:
+        assert not validator.is_valid(file), f"the schema of a {of} accepts: {what}"
+    print(f"{of}: {len(files)} fit the schema, {len(wrong)} wrong ones do not")
+
+
+def main():
+    program, folder = sys.argv[1], pathlib.Path(sys.argv[2])
+    files = sorted(folder.rglob("*.yaml"))
+    studies = [file for file in files if file.parent.name == "studies"]
+    check(program, "scenario", [file for file in files if file not in studies], wrong_scenarios)
+    check(program, "study", studies, wrong_studies)
 
 
 if __name__ == "__main__":

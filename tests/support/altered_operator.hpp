@@ -32,6 +32,12 @@ class AlteredOperator final : public DifferentialOperator<D> {
     if (receiver_ && i != *receiver_) return;
     *std::ranges::max_element(weights, {}, [](double l) { return std::abs(l); }) *= factor_;
   }
+  bool has_hessian() const override { return right_.has_hessian(); }
+  void hessian_weights(Index i, std::span<Mat<D>> weights) const override {
+    right_.hessian_weights(i, weights);
+    if (receiver_ && i != *receiver_) return;
+    *std::ranges::max_element(weights, {}, [](const Mat<D>& h) { return h.norm(); }) *= factor_;
+  }
 
  private:
   Right right_;

@@ -30,8 +30,9 @@ inline std::vector<NamedOperator> operators_on_a_line() {
     });
   });
   for_each_family(PlainFamilies{}, [&]<template <int> class Family>() {
-    operators.push_back(
-        {std::string(Family<1>::family), [] { return std::make_unique<Family<1>>(); }});
+    std::string name(Family<1>::family);
+    if constexpr (requires { Family<1>::degree; }) name += "_" + std::to_string(Family<1>::degree);
+    operators.push_back({name, [] { return std::make_unique<Family<1>>(); }});
   });
   return operators;
 }

@@ -50,6 +50,9 @@ class Settings final : public Description {
   void variant(const Key&, std::string&, const Choices&,
                const std::function<void(const std::string&)>&) override {}
   void section(const Key&, const std::function<void()>& body) override { body(); }
+  void list(const Key&, std::size_t&, const std::function<void(std::size_t)>&) override {}
+  void expressions(const Key&, std::vector<std::string>&) override {}
+  void words(const Key&, std::vector<std::string>&, const Choices&) override {}
   void constants(const Key&, std::vector<std::pair<std::string, double>>&) override {}
 
  private:

@@ -37,6 +37,8 @@ Points<1> cells_of_unit_line(Index count, double jitter) {
     points.length[i] = points.mass[i] = (place[k + 1] - place[k - 1]) / 2;
     points.density[i] = 1;
   }
+  points.circulation = points.mass;
+  points.vorticity = points.density;
   return points;
 }
 
@@ -75,10 +77,11 @@ Observed observe(Operator& op, Index count, int doublings, double jitter) {
           last};
 }
 
-/// Whether both orders are as expected, to 0.15, and the last errors at most the ceilings.
-testing::AssertionResult show(const Observed& found, Pair order, Pair ceiling) {
-  if (std::abs(found.order.gradient - order.gradient) <= 0.15 &&
-      std::abs(found.order.laplacian - order.laplacian) <= 0.15 &&
+/// Whether both orders are as expected, to `tolerance`, and the last errors at most the ceilings.
+testing::AssertionResult show(const Observed& found, Pair order, Pair ceiling,
+                              double tolerance = 0.15) {
+  if (std::abs(found.order.gradient - order.gradient) <= tolerance &&
+      std::abs(found.order.laplacian - order.laplacian) <= tolerance &&
       found.last.gradient <= ceiling.gradient && found.last.laplacian <= ceiling.laplacian)
     return testing::AssertionSuccess();
   return testing::AssertionFailure()
@@ -89,6 +92,7 @@ testing::AssertionResult show(const Observed& found, Pair order, Pair ceiling) {
 /// What an operator shows on a lattice of 64 to 256 and on 128 to 2048 jittered points.
 struct Promise {
   Pair lattice_order, lattice_ceiling, jitter_order, jitter_ceiling;
+  double jitter_tolerance = 0.15;
 };
 
 /// A consistent operator of three points does this, and whatever is not named here must.
@@ -107,7 +111,17 @@ const std::map<std::string, Promise> promises{
     {"sph_wendland_c2", {{0.7, 0}, {5e-3, 0.17}, {0, -1}, {0.06, 45}}},
     {"sph_wendland_c4", {{1.6, -0.4}, {7e-4, 0.014}, {0, -1}, {0.07, 60}}},
     {"sph_wendland_c6", {{1.1, 2.5}, {1.2e-3, 1.4e-4}, {0, -1}, {0.07, 75}}},
-    {"mps", {{2, 2}, {1.1e-4, 5.5e-5}, {1, -1}, {3e-4, 110}}}};
+    {"mps", {{2, 2}, {1.1e-4, 5.5e-5}, {1, -1}, {3e-4, 110}}},
+    // The weight is not a kernel with its derivatives: its sums are wrong by a constant factor.
+    {"mps_as_sph", {{0, 0}, {0.9, 0.9}, {0, -1}, {0.9, 40}}},
+    {"least_squares_2", {{2, 2}, {1.2e-4, 8e-5}, {2, 1}, {2e-6, 4e-4}}},
+    {"least_squares_3", {{4, 2}, {2e-8, 2e-4}, {3, 2}, {1e-9, 3e-6}}},
+    {"least_squares_4", {{4, 4}, {6e-8, 4e-8}, {4, 3}, {2e-11, 1e-9}}}};
+
+/// The corrected operator on any kernel: exact for linear fields in the gradient and for parabolas
+/// in the Laplacian, so of order 1 on fine disorder. Where a kernel is wide its own error of order
+/// 2 is not far below, and adds up to a third to what is observed.
+constexpr Promise corrected_sph{{2, 2}, {4e-3, 2e-3}, {1.2, 1.2}, {2.5e-4, 2.5e-4}, 0.3};
 
 /// The printed operator on any kernel that has no line above: what a lattice floor is depends on
 /// the kernel, that disorder takes its orders away does not.
@@ -116,24 +130,33 @@ bool is_new_kernel(const std::string& name) {
   return name.starts_with("sph_") && !promises.contains(name);
 }
 
+/// Where circulation is mass and vorticity density, a vortex blob is a particle of sph.
+std::string without_circulation(const std::string& name) {
+  const std::string blob = "vortex_blob_";
+  return name.starts_with(blob) ? "sph_" + name.substr(blob.size()) : name;
+}
+
 Promise promise_of(const std::string& name) {
   if (is_new_kernel(name)) return printed_sph;
+  if (name.starts_with("corrected_sph_")) return corrected_sph;
   const auto found = promises.find(name);
   return found == promises.end() ? consistent : found->second;
 }
 
 struct OperatorOrder : testing::TestWithParam<NamedOperator> {
   std::unique_ptr<Operator> op = GetParam().make();
-  Promise promise = promise_of(GetParam().name);
+  std::string name = without_circulation(GetParam().name);
+  Promise promise = promise_of(name);
 };
 
 TEST_P(OperatorOrder, IsObservedOnALattice) {
-  if (is_new_kernel(GetParam().name)) GTEST_SKIP() << "no floor is known for a new kernel of sph";
+  if (is_new_kernel(name)) GTEST_SKIP() << "no floor is known for a new kernel of sph";
   EXPECT_TRUE(show(observe(*op, 64, 2, 0), promise.lattice_order, promise.lattice_ceiling));
 }
 
 TEST_P(OperatorOrder, IsObservedOnJitteredPoints) {
-  EXPECT_TRUE(show(observe(*op, 128, 4, 0.2), promise.jitter_order, promise.jitter_ceiling));
+  EXPECT_TRUE(show(observe(*op, 128, 4, 0.2), promise.jitter_order, promise.jitter_ceiling,
+                   promise.jitter_tolerance));
 }
 
 INSTANTIATE_TEST_SUITE_P(, OperatorOrder, testing::ValuesIn(operators_on_a_line()),
@@ -145,6 +168,18 @@ TEST(OperatorOrderCheck, NoticesAWeightThatIsWrongByAThousandth) {
       show(observe(altered, 64, 2, 0), consistent.lattice_order, consistent.lattice_ceiling));
   EXPECT_FALSE(
       show(observe(altered, 128, 4, 0.2), consistent.jitter_order, consistent.jitter_ceiling));
+}
+
+TEST(OperatorOrderCheck, NoticesAFitOfADegreeTooLowAndAnAlteredCorrection) {
+  Quadratic<1> quadratic;
+  const Promise cubic = promise_of("least_squares_3");
+  EXPECT_FALSE(show(observe(quadratic, 64, 2, 0), cubic.lattice_order, cubic.lattice_ceiling));
+  EXPECT_FALSE(show(observe(quadratic, 128, 4, 0.2), cubic.jitter_order, cubic.jitter_ceiling));
+  AlteredOperator<1, CorrectedSph<1, WendlandC2<1>>> altered({}, std::nullopt, 1e-2);
+  EXPECT_FALSE(
+      show(observe(altered, 64, 2, 0), corrected_sph.lattice_order, corrected_sph.lattice_ceiling));
+  EXPECT_FALSE(show(observe(altered, 128, 4, 0.2), corrected_sph.jitter_order,
+                    corrected_sph.jitter_ceiling, corrected_sph.jitter_tolerance));
 }
 
 // The sum of its curvature over a lattice of 8 points a smoothing length is not the integral.

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "mote/catalogue/catalogue.hpp"
+#include "mote/options/description.hpp"
+
+namespace mote {
+
+/// The differential operator that a file names: a family, its member (`gauss` of `sph.gauss`, or
+/// empty), and the operator with the options that the file gives it; null if there is none in this
+/// dimension.
+struct OperatorChoice {
+  std::string family, member;
+  std::unique_ptr<AnyOperator> made;
+
+  std::string name() const { return member.empty() ? family : family + "." + member; }
+};
+
+/// Says what a section holds that names an operator, `{family: sph, kernel: gauss}` or `sph.gauss`.
+void describe_operator(Description& description, OperatorChoice& choice, const Catalogue& catalogue,
+                       std::int64_t dimension);
+
+}  // namespace mote

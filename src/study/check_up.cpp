@@ -1,0 +1,88 @@
+#include "mote/study/check_up.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "mote/operators/differential/monomials.hpp"
+
+namespace mote {
+namespace {
+
+template <int D>
+double volume(double length) {
+  return std::pow(length, D);
+}
+
+/// Volume of the ball of radius 1.
+template <int D>
+constexpr double unit_ball = D == 1   ? 2
+                             : D == 2 ? std::numbers::pi
+                                      : 4 * std::numbers::pi / 3;
+
+template <int D>
+double covered_share(const Points<D>& points, const NeighbourRule& rule,
+                     std::span<const Index> list, Index i) {
+  double sum = volume<D>(points.length[i]);
+  for (const Index j : list) sum += volume<D>(points.length[j]);
+  return sum / (unit_ball<D> * volume<D>(rule.reach() * points.length[i]));
+}
+
+/// From the singular values of the matrix of monomials of degree 1 and 2, a row each neighbour.
+template <int D>
+double condition_number(const Points<D>& points, std::span<const Index> list, Index i) {
+  constexpr int unknowns = D + second_derivatives<D>;
+  if (list.size() < unknowns) return std::numeric_limits<double>::infinity();
+  Eigen::Matrix<double, Eigen::Dynamic, unknowns> matrix(list.size(), unknowns);
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const Vec<D> x = (points.at(list[k]) - points.at(i)) / points.length[i];
+    matrix.row(static_cast<Eigen::Index>(k)) << x.transpose(), products_of<D>(x).transpose();
+  }
+  for (int a = 0; a < unknowns; ++a) {
+    const double norm = matrix.col(a).norm();
+    if (norm > 0) matrix.col(a) /= norm;
+  }
+  const auto values = matrix.jacobiSvd().singularValues();
+  constexpr double zero = 1e-14;
+  return values[unknowns - 1] > zero * values[0] ? values[0] / values[unknowns - 1]
+                                                 : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+CheckUpSummary summary_of(const std::vector<Neighbourhood>& neighbourhoods) {
+  constexpr double most = std::numeric_limits<double>::infinity();
+  CheckUpSummary summary{.fewest = {most}, .least_covered = {most}};
+  for (std::size_t k = 0; k < neighbourhoods.size(); ++k) {
+    const auto& [neighbours, covered, condition] = neighbourhoods[k];
+    const auto point = static_cast<Index>(k);
+    if (neighbours < summary.fewest.value) summary.fewest = {double(neighbours), point};
+    if (covered < summary.least_covered.value) summary.least_covered = {covered, point};
+    if (!std::isfinite(condition))
+      ++summary.without_parabola;
+    else if (condition > summary.worst_condition.value)
+      summary.worst_condition = {condition, point};
+  }
+  return summary;
+}
+
+template <int D>
+std::vector<Neighbourhood> check_up(const Points<D>& points, const NeighbourRule& rule,
+                                    const NeighbourLists& lists) {
+  std::vector<Neighbourhood> result(static_cast<std::size_t>(points.receivers));
+#pragma omp parallel for schedule(static) if (parallel_from <= points.receivers)
+  for (Index i = 0; i < points.receivers; ++i)
+    result[i] = {static_cast<Index>(lists[i].size()), covered_share(points, rule, lists[i], i),
+                 condition_number(points, lists[i], i)};
+  return result;
+}
+
+template std::vector<Neighbourhood> check_up(const Points<1>&, const NeighbourRule&,
+                                             const NeighbourLists&);
+template std::vector<Neighbourhood> check_up(const Points<2>&, const NeighbourRule&,
+                                             const NeighbourLists&);
+template std::vector<Neighbourhood> check_up(const Points<3>&, const NeighbourRule&,
+                                             const NeighbourLists&);
+
+}  // namespace mote

@@ -1,0 +1,158 @@
+#include "mote/study/file_points.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "mote/input/point_table.hpp"
+#include "mote/neighbours/kd_tree.hpp"
+#include "mote/operators/kernels/wendland_c2.hpp"
+#include "mote/particles/failure.hpp"
+
+namespace mote {
+namespace {
+
+constexpr const char* axes[] = {"x", "y", "z"};
+
+/// Reads points of D coordinates and nothing else yet.
+template <int D>
+Points<D> positions_of(const PointTable& table, const std::string& path) {
+  int coordinates = 0;
+  while (coordinates < 3 && table.has(axes[coordinates])) ++coordinates;
+  if (coordinates != D)
+    throw InputError("layouts", fmt::format("{}: its points have {} coordinate{}, the study has {}",
+                                            path, coordinates, coordinates == 1 ? "" : "s", D));
+  if (table.rows() > 100'000'000)
+    throw InputError("layouts", fmt::format("{}: {} points are too many", path, table.rows()));
+  Points<D> points;
+  points.resize(static_cast<Index>(table.rows()), static_cast<Index>(table.rows()));
+  for (int d = 0; d < D; ++d) {
+    const auto column = table.column(axes[d]);
+    for (std::size_t i = 0; i < column.size(); ++i) points.position[i * D + d] = column[i];
+  }
+  return points;
+}
+
+/// Throws InputError for two points at the same place: no operator can tell them apart.
+template <int D>
+void refuse_coincident_points(const Points<D>& points, const std::string& path) {
+  std::vector<Index> order(static_cast<std::size_t>(points.size()));
+  std::iota(order.begin(), order.end(), 0);
+  const auto coordinates = [&](Index i) {
+    return std::span(points.position).subspan(static_cast<std::size_t>(i) * D, D);
+  };
+  std::ranges::sort(order, [&](Index a, Index b) {
+    const auto x_a = coordinates(a), x_b = coordinates(b);
+    if (std::ranges::equal(x_a, x_b)) return a < b;
+    return std::ranges::lexicographical_compare(x_a, x_b);
+  });
+  std::pair<Index, Index> first{points.size(), 0};
+  for (std::size_t k = 1; k < order.size(); ++k)
+    if (std::ranges::equal(coordinates(order[k - 1]), coordinates(order[k])))
+      first = std::min(first, {order[k - 1], order[k]});
+  if (first.first < points.size())
+    throw InputError("layouts", fmt::format("{}: the points {} and {} lie at the same place", path,
+                                            first.first, first.second));
+}
+
+/// The table, with its errors told as those of the layout that names it.
+PointTable read_table(const std::filesystem::path& path) {
+  try {
+    return read_points(path);
+  } catch (const InputError& error) {
+    throw InputError("layouts", error.what());
+  }
+}
+
+/// The volume of each point from how closely the points lie.
+template <int D>
+std::vector<double> volumes_by_spacing(const Points<D>& points) {
+  const double width = 2;
+  Points<D> measured = points;
+  measured.length = KdTreeSearch<D>().mean_distances(points, 2 * D);
+  NeighbourLists lists;
+  KdTreeSearch<D>().find(measured, {WendlandC2<D>::support(), width, PairLength::gather}, lists);
+  std::vector<double> volumes;
+  for (Index i = 0; i < points.size(); ++i) {
+    const double h = width * measured.length[i];
+    double sum = WendlandC2<D>::value(0);
+    for (const Index j : lists[i])
+      sum += WendlandC2<D>::value((points.at(i) - points.at(j)).norm() / h);
+    volumes.push_back(std::pow(h, D) / sum);
+  }
+  return volumes;
+}
+
+void refuse_not_positive(std::span<const double> values, const std::string& path,
+                         const std::string& what) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!(values[i] > 0) || !std::isfinite(values[i]))
+      throw InputError("layouts", fmt::format("{}: the {} of point {} must be positive, and is {}",
+                                              path, what, i, values[i]));
+}
+
+/// Column a over column b.
+std::vector<double> quotient(std::span<const double> a, std::span<const double> b) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < a.size(); ++i) result.push_back(a[i] / b[i]);
+  return result;
+}
+
+std::vector<double> copy(std::span<const double> values) { return {values.begin(), values.end()}; }
+
+}  // namespace
+
+template <int D>
+StudyPoints<D> file_points(const PointRequest& request, const ExactField& exact) {
+  const std::filesystem::path path = request.folder / request.layout.path;
+  const PointTable table = read_table(path);
+  StudyPoints<D> result{.points = positions_of<D>(table, path.string())};
+  Points<D>& points = result.points;
+  refuse_coincident_points(points, path.string());
+  const std::string name = request.layout.path;
+  const bool has_mass = table.has("mass"), has_volume = table.has("volume");
+  for (const char* column : {"mass", "volume", "density"})
+    if (table.has(column)) refuse_not_positive(table.column(column), path.string(), column);
+  if (table.has("density"))
+    points.density = copy(table.column("density"));
+  else if (has_mass && has_volume)
+    points.density = quotient(table.column("mass"), table.column("volume"));
+  else
+    points.density = exact.density(points.position);
+  std::vector<double> volume;
+  if (has_volume) {
+    volume = copy(table.column("volume"));
+  } else if (has_mass) {
+    volume = quotient(table.column("mass"), points.density);
+    result.remarks.push_back(name + ": volumes are mass over density");
+  } else {
+    if (points.size() < 2)
+      throw InputError(
+          "layouts",
+          path.string() + ": a single point has no spacing; give its volume in a column");
+    volume = volumes_by_spacing(points);
+    result.remarks.push_back(name + ": volumes follow from how closely the points lie");
+  }
+  refuse_not_positive(volume, path.string(), "volume");
+  points.vorticity = exact.vorticity(points.position);
+  points.circulation = points.vorticity;
+  points.mass = has_mass ? copy(table.column("mass")) : points.density;
+  for (Index i = 0; i < points.size(); ++i) {
+    points.length[i] = std::pow(volume[i], 1.0 / D);
+    points.circulation[i] *= volume[i];
+    if (!has_mass) points.mass[i] *= volume[i];
+  }
+  if (table.has("field")) {
+    result.field = copy(table.column("field"));
+    result.remarks.push_back(name + ": the field's values are the file's own column");
+  }
+  return result;
+}
+
+template StudyPoints<1> file_points(const PointRequest&, const ExactField&);
+template StudyPoints<2> file_points(const PointRequest&, const ExactField&);
+template StudyPoints<3> file_points(const PointRequest&, const ExactField&);
+
+}  // namespace mote
