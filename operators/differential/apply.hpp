@@ -45,8 +45,10 @@ void for_each_row(const NeighbourLists& lists, Row row) {
 #pragma omp for schedule(static)
     for (Index i = 0; i < lists.receivers(); ++i) {
       const auto neighbours = lists[i];
-      if (room.size() < neighbours.size()) room.resize(2 * neighbours.size());
-      failure.guard(i, [&] { row(i, neighbours, std::span(room).first(neighbours.size())); });
+      failure.guard(i, [&] {
+        if (room.size() < neighbours.size()) room.resize(2 * neighbours.size());
+        row(i, neighbours, std::span(room).first(neighbours.size()));
+      });
     }
   }
   failure.rethrow();

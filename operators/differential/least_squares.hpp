@@ -94,7 +94,7 @@ class LeastSquares final : public DifferentialOperator<D> {
     const auto lowered = std::ranges::count_if(fits_, is_lowered);
     if (lowered == 0) return {};
     const auto first = std::ranges::find_if(fits_, is_lowered) - fits_.begin();
-    return {std::to_string(lowered) + " points have too few neighbours for degree " +
+    return {std::to_string(lowered) + " points have neighbours that do not fix degree " +
             std::to_string(Degree) + ", the first of them point " + std::to_string(first) +
             "; a lower degree was used there"};
   }

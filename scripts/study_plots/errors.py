@@ -33,22 +33,22 @@ def edge_handles(rows):
 
 
 def draw_slopes(axes, rows, orders):
-    """Thin lines of these orders from the largest error at the lowest resolution."""
+    """Thin lines of these orders from the largest error at the widest spacing."""
     low, high = (pick(row["resolution"] for row in rows) for pick in (min, max))
     start = max((row["error"] for row in rows
                  if row["resolution"] == low and 0 < row["error"] < math.inf), default=None)
     for order, pattern in orders.items() if start and high > low else ():
-        axes.plot([low, high], [start, start * (low / high) ** order], color="0.55",
+        axes.plot([1 / low, 1 / high], [start, start * (low / high) ** order], color="0.55",
                   linewidth=0.8, linestyle=pattern, zorder=1)
 
 
 def draw_convergence_panel(axes, rows, operators, limits, orders):
-    """Error against resolution, with the order between the two highest beside each marker."""
+    """Error against spacing, with the order between the two finest beside each marker."""
     resolutions = sorted({row["resolution"] for row in rows})
     axes.set(xscale="log", yscale="log", ylim=limits)
     if len(resolutions) > 1:
         margin = (resolutions[-1] / resolutions[0]) ** 0.08
-        axes.set_xlim(resolutions[0] / margin, resolutions[-1] * margin)
+        axes.set_xlim(1 / (resolutions[-1] * margin), margin / resolutions[0])
     draw_slopes(axes, rows, orders)
     handles = []
     for k, name in enumerate(operators):
@@ -56,12 +56,12 @@ def draw_convergence_panel(axes, rows, operators, limits, orders):
         if own:
             order = f"{float(own[-1]['order']):.1f}" if own[-1]["order"] else "–"
             order = "0.0" if order == "-0.0" else order.replace("-", "−")
-            handles += axes.plot([row["resolution"] for row in own],
+            handles += axes.plot([1 / row["resolution"] for row in own],
                                  on_axis([row["error"] for row in own], limits), clip_on=False,
                                  label=order, zorder=3, **stroke(k, 1.2),
                                  **style(k, len(operators)))
     shown = resolutions[::-math.ceil(len(resolutions) / 6)]
-    axes.set_xticks(shown, [str(n) for n in shown], minor=False)
+    axes.set_xticks([1 / n for n in shown], [f"1/{n}" for n in shown], minor=False)
     axes.set_xticks([], minor=True)
     axes.grid(color="0.92")
     axes.legend(handles=handles, title="order", loc="upper left", bbox_to_anchor=(1, 1.04),
@@ -91,7 +91,7 @@ def draw_convergence(rows, operators, files):
                 continue
             draw_convergence_panel(axes, own, operators, limits, orders)
             if layout in files or line == len(layouts) - 1 or layouts[line + 1] in files:
-                axes.set_xlabel("points [–]" if layout in files else "points along x [–]")
+                axes.set_xlabel("1/points [–]" if layout in files else "spacing/side along x [–]")
             if column == 0:
                 axes.set_ylabel("relative error [–]")
     slopes = [Line2D([], [], color="0.55", linewidth=0.8, linestyle=pattern, label=f"order {order}")

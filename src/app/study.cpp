@@ -38,25 +38,17 @@ std::vector<std::string> draw(const fs::path& folder) {
   return drawn;
 }
 
-/// Runs the study; after a failure nothing is left of it, and what was in the folder is still
-/// there.
-StudyResult measure(const Document& document, const StudyFile& file, const Catalogue& catalogue,
-                    const fs::path& beside, CaseTables& tables, ClaimedFolder& claimed) {
-  try {
-    return run_study(document, file, catalogue, beside,
-                     [&](const StudyCase& done) { tables.add(done); });
-  } catch (...) {
-    tables.discard();
-    claimed.abandon();
-    throw;
-  }
-}
-
 /// The resolved study with the paths of files of points made absolute: its folder is elsewhere.
 std::string yaml_for_anywhere(StudyFile& file, const Catalogue& catalogue, const fs::path& beside) {
   for (auto& layout : file.layouts)
     if (!layout.path.empty()) layout.path = (beside / layout.path).lexically_normal().string();
   return resolved_yaml(file, catalogue);
+}
+
+/// Writes study.yaml in place of former output.
+void begin(const ClaimedFolder& claimed, const fs::path& folder, const std::string& yaml) {
+  claimed.remove_former();
+  write_file(folder / study_folder.mark_file, fmt::format("{}\n{}", study_folder.mark, yaml));
 }
 
 void print_errors(const StudyResult& result) {
@@ -88,10 +80,21 @@ int study(const Catalogue& catalogue, const RunOptions& options) {
   ClaimedFolder claimed(folder, options.overwrite ? Existing::replace : Existing::refuse,
                         study_folder);
   CaseTables tables(folder, file.output.points);
-  const StudyResult result = measure(document, file, catalogue, beside, tables, claimed);
-  claimed.remove_former();
-  write_file(folder / study_folder.mark_file,
-             fmt::format("{}\n{}", study_folder.mark, yaml_for_anywhere(file, catalogue, beside)));
+  StudyResult result;
+  try {
+    result = run_study(document, file, catalogue, beside,
+                       [&](const StudyCase& done) { tables.add(done); });
+  } catch (const LocatedError& error) {
+    // What was in the folder is still there, unless the check-up says why the points are bad.
+    if (tables.has_check_up()) begin(claimed, folder, yaml_for_anywhere(file, catalogue, beside));
+    const bool has_check_up = tables.keep_check_up();
+    if (has_check_up && file.output.picture) draw(folder);
+    claimed.abandon();
+    if (!has_check_up) throw;
+    throw LocatedError(error, fmt::format("; the check-up of the points is in {}",
+                                          (folder / "check_up.csv").string()));
+  }
+  begin(claimed, folder, yaml_for_anywhere(file, catalogue, beside));
   tables.finish();
   write_file(folder / "study.csv", study_csv(result));
   const auto pictures = file.output.picture ? draw(folder) : std::vector<std::string>{};

@@ -10,6 +10,10 @@ class LocatedError : public std::runtime_error {
  public:
   LocatedError(const std::string& place, const std::string& message)
       : std::runtime_error(place + ": " + message) {}
+
+  /// An error with more to say.
+  LocatedError(const LocatedError& error, const std::string& more)
+      : std::runtime_error(error.what() + more) {}
 };
 
 }  // namespace mote

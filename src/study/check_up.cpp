@@ -24,6 +24,7 @@ constexpr double unit_ball = D == 1   ? 2
 template <int D>
 double covered_share(const Points<D>& points, const NeighbourRule& rule,
                      std::span<const Index> list, Index i) {
+  if (rule.adjacent > 0) return std::numeric_limits<double>::quiet_NaN();
   double sum = volume<D>(points.length[i]);
   for (const Index j : list) sum += volume<D>(points.length[j]);
   return sum / (unit_ball<D> * volume<D>(rule.reach() * points.length[i]));

@@ -11,7 +11,8 @@ namespace mote {
 struct Neighbourhood {
   Index neighbours = 0;
   /// Share of the support that the volumes of the point and its neighbours fill: about 1 inside,
-  /// about a half at a free plane; much less where neighbours are missing.
+  /// about a half at a free plane; much less where neighbours are missing. NaN for an operator that
+  /// has no support but the adjacent points.
   double covered = 0;
   /// Condition number of the least-squares matrix for a parabola, columns scaled to length 1: a few
   /// units on a lattice, infinite where the neighbours do not fix a parabola.

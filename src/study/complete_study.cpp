@@ -26,6 +26,7 @@ class Completion {
     check_domain();
     check_resolutions();
     check_margin();
+    check_files();
     for (std::size_t k = 0; k < study_.operators.size(); ++k) complete_operator(k);
     complete_layouts();
     complete_names(study_.layouts, "layouts", "layout");
@@ -77,15 +78,24 @@ class Completion {
     }
   }
 
+  /// Interior norms need ends, and a margin needs interior norms.
   void check_margin() const {
     const bool has_interior = std::ranges::any_of(
         study_.norms, [](const std::string& norm) { return norm.starts_with("interior_"); });
-    if (!has_interior) return;
-    for (const auto& layout : study_.layouts)
-      require(layout.type != "file", "norms", "the ends of a file of points are not known");
-    require(2.0 * static_cast<double>(study_.margin) < study_.resolutions.front(), "margin",
-            fmt::format("a margin of {} cells leaves none of {}", study_.margin,
-                        study_.resolutions.front()));
+    for (const auto& layout : study_.layouts) {
+      require(!has_interior || layout.type != "file", "norms",
+              "the ends of a file of points are not known");
+      require(has_interior || (layout.margin.value_or(study_.margin) == 0), "margin",
+              "a margin has a meaning for interior norms alone, and 'norms' has none");
+    }
+  }
+
+  /// What files of points cannot use must not be there for them alone.
+  void check_files() const {
+    if (!only_files()) return;
+    for (const char* key : {"resolutions", "extension", "domain"})
+      require(document_.root().find(key) == nullptr, key,
+              fmt::format("'{}' has no meaning where all layouts are files of points", key));
   }
 
   void complete_operator(std::size_t k) {
@@ -161,13 +171,15 @@ class Completion {
 
   void complete_fields() {
     check_names(study_.field, "field");
-    check_names(study_.density, "density");
+    if (!study_.density.empty()) check_names(study_.density, "density");
     if (!study_.vorticity.empty()) check_names(study_.vorticity, "vorticity");
     for (const std::string& component : study_.vector_field) check_names(component, "vector_field");
     if (study_.vector_field.empty()) study_.vector_field.assign(dimension_, study_.field);
     require(study_.vector_field.size() == dimension_, "vector_field",
             fmt::format("'vector_field' needs {} expressions, one a dimension, and has {}",
                         dimension_, study_.vector_field.size()));
+    study_.states_density = !study_.density.empty();
+    if (!study_.states_density) study_.density = "1";
     if (study_.vorticity.empty()) study_.vorticity = study_.density;
     auto& derivatives = study_.derivatives;
     complete_gradient(study_.field, derivatives.gradient);

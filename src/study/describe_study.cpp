@@ -35,6 +35,8 @@ void describe_layout(Description& d, StudyFile::Layout& layout, const Catalogue&
                         not_negative);
             });
   d.text({"name", "in the tables; default: its type, or the file's name"}, layout.name);
+  d.count({"margin", "cells at every end that interior norms leave out; default: the study's"},
+          layout.margin, not_negative);
 }
 
 void describe_derivatives(Description& d, StudyFile::Derivatives& derivatives) {
@@ -120,7 +122,7 @@ void describe(Description& d, StudyFile& study, const Catalogue& catalogue) {
   d.expression({"field", "whose derivatives are formed", true}, study.field);
   d.expressions({"vector_field", "for divergence and curl; default: the field in each component"},
                 study.vector_field);
-  d.expression({"density", "of the points"}, study.density);
+  d.expression({"density", "of the points; default: 1"}, study.density);
   d.expression({"vorticity", "of the points, for vortex_blob; default: the density"},
                study.vorticity);
   d.section({"derivatives", "exact ones; default: found by symbolic differentiation"},

@@ -24,11 +24,14 @@ NeighbourLists neighbours_of(const Points<D>& points, const NeighbourRule& rule)
     LineSearch().find(points, rule, lists);
   else
     KdTreeSearch<D>().find(points, rule, lists);
-  for (Index i = 0; i < points.receivers; ++i)
+  return lists;
+}
+
+void refuse_lonely_points(const NeighbourLists& lists) {
+  for (Index i = 0; i < lists.receivers(); ++i)
     if (lists[i].empty())
       throw NumericalFailure(fmt::format("point {} has no neighbour", i), {i},
                              "the operator's reach is smaller than the spacing of the points");
-  return lists;
 }
 
 /// The values whose derivatives are formed.
@@ -80,6 +83,9 @@ class Runner {
 
   StudyResult run() {
     for (const auto& layout : study_.layouts)
+      if (layout.type == "file")
+        for (const auto& item : study_.operators) check_up_on(layout, item);
+    for (const auto& layout : study_.layouts)
       for (const double resolution : resolutions_of(layout))
         for (const auto& item : study_.operators)
           measure({study_, catalogue_, layout, static_cast<Index>(resolution),
@@ -107,11 +113,41 @@ class Runner {
     return static_cast<Index>(std::ceil(D == 1 ? 2 * reach : reach));
   }
 
+  /// The neighbourhoods of a user's own points, before any operator can fail on them.
+  void check_up_on(const StudyFile::Layout& layout, const StudyFile::Operator& item) {
+    const PointRequest request{study_, catalogue_, layout, 0, 0, folder_};
+    guard(request, item, [&] {
+      const StudyPoints<D> placed = study_points<D>(request, exact_);
+      const Points<D>& points = placed.points;
+      const NeighbourRule rule = differential_operator(item).neighbour_rule();
+      const NeighbourLists lists = neighbours_of(points, rule);
+      StudyCase checked{.layout = layout,
+                        .resolution = points.receivers,
+                        .differential_operator = item.name,
+                        .dimension = D,
+                        .positions = points.position,
+                        .neighbourhoods = check_up(points, rule, lists)};
+      CheckUpSummary summary = summary_of(checked.neighbourhoods);
+      summary.layout = layout.name;
+      summary.differential_operator = item.name;
+      result_.check_ups.push_back(std::move(summary));
+      visit_(checked);
+    });
+  }
+
   void measure(const PointRequest& request, const StudyFile::Operator& item) {
-    try {
+    guard(request, item, [&] {
       const StudyPoints<D> placed = study_points<D>(request, exact_);
       for (const auto& remark : placed.remarks) remark_once(remark);
       apply(request, item, placed);
+    });
+  }
+
+  /// Does some work and tells what goes wrong as an error of the layout or the operator.
+  template <class Work>
+  void guard(const PointRequest& request, const StudyFile::Operator& item, Work work) const {
+    try {
+      work();
     } catch (const NumericalFailure& failure) {
       throw InputError(
           fmt::format("operators.{}", &item - study_.operators.data()),
@@ -135,6 +171,7 @@ class Runner {
     DifferentialOperator<D>& op = differential_operator(item);
     const NeighbourRule rule = op.neighbour_rule();
     const NeighbourLists lists = neighbours_of(points, rule);
+    refuse_lonely_points(lists);
     op.prepare(points, lists);
     for (const auto& remark : op.remarks())
       remark_once(
@@ -163,7 +200,6 @@ class Runner {
                                    exact_.exact(quantity, result.positions)});
       add_rows(result, result.quantities.back(), placed.interior);
     }
-    if (is_file) add_check_up(result, check_up(points, rule, lists));
     visit_(result);
   }
 
@@ -178,14 +214,6 @@ class Runner {
     std::vector<double> vector;
     for (const double value : placed.field) vector.insert(vector.end(), D, value);
     return {placed.field, std::move(vector)};
-  }
-
-  void add_check_up(StudyCase& done, std::vector<Neighbourhood> neighbourhoods) {
-    done.neighbourhoods = std::move(neighbourhoods);
-    CheckUpSummary summary = summary_of(done.neighbourhoods);
-    summary.layout = done.layout.name;
-    summary.differential_operator = done.differential_operator;
-    result_.check_ups.push_back(std::move(summary));
   }
 
   void add_rows(const StudyCase& done, const QuantityValues& values,

@@ -52,7 +52,8 @@ struct StudyResult {
                          const std::string& quantity, const std::string& norm) const;
 };
 
-/// Measures every operator on every layout at every resolution, and shows each case to `visit`.
+/// Measures every operator on every layout at every resolution, and shows each case to `visit`:
+/// first the neighbourhoods in files of points, without quantities, then what was measured.
 /// Files of points are looked for in `folder`. Throws LocatedError.
 StudyResult run_study(const Document& document, const StudyFile& study, const Catalogue& catalogue,
                       const std::filesystem::path& folder,

@@ -43,7 +43,8 @@ struct StudyFile {
 
   std::string field;
   std::vector<std::string> vector_field;  ///< one expression a dimension
-  std::string density = "1";
+  std::string density;                    ///< 1 unless stated
+  bool states_density = false;            ///< whether it is the file's word, and not a default
   std::string vorticity;
   struct Derivatives {
     std::vector<std::string> gradient;  ///< of the field: x, y, z
@@ -54,8 +55,9 @@ struct StudyFile {
   struct Layout {
     std::string type, name;
     std::optional<std::int64_t> seed;
-    double jitter = 0.2;  ///< of jittered lattices, in spacings
-    std::string path;     ///< of a file of points
+    std::optional<std::int64_t> margin;  ///< cells that interior norms leave out; the study's
+    double jitter = 0.2;                 ///< of jittered lattices, in spacings
+    std::string path;                    ///< of a file of points
   };
   std::vector<Layout> layouts;
   std::vector<double> resolutions;  ///< whole numbers: points along x

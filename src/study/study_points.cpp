@@ -13,6 +13,15 @@
 namespace mote {
 namespace {
 
+/// Cells at each end that interior norms leave out of `count` along an axis.
+std::int64_t margin_of(const PointRequest& request, Index count, char axis) {
+  const std::int64_t margin = request.layout.margin.value_or(request.study.margin);
+  if (margin > 0 && 2 * margin >= count)
+    throw InputError("margin", fmt::format("a margin of {} cells leaves none of {} along {}",
+                                           margin, count, axis));
+  return margin;
+}
+
 /// The points of a mesh of a line: its cells first, then those beyond its lower and upper end, the
 /// nearest first.
 StudyPoints<1> line_points(const PointRequest& request) {
@@ -24,6 +33,7 @@ StudyPoints<1> line_points(const PointRequest& request) {
                       static_cast<std::uint64_t>(request.layout.seed.value_or(0)),
                       study.extension.type, request.beyond});
   StudyPoints<1> result{.remarks = cells.remarks};
+  const std::int64_t margin = margin_of(request, count, 'x');
   result.points.resize(count + 2 * request.beyond, count);
   auto place = [&, i = 0](Index cell) mutable {
     result.points.position[i] = cells.centre[cell];
@@ -31,7 +41,7 @@ StudyPoints<1> line_points(const PointRequest& request) {
   };
   for (Index k = 0; k < count; ++k) place(request.beyond + k);
   for (Index k = 0; k < count; ++k)
-    result.interior.push_back(k >= study.margin && count - 1 - k >= study.margin);
+    result.interior.push_back(k >= margin && count - 1 - k >= margin);
   for (Index k = 1; k <= request.beyond; ++k) place(request.beyond - k);
   for (Index k = 0; k < request.beyond; ++k) place(request.beyond + count + k);
   return result;
@@ -65,10 +75,6 @@ StudyPoints<D> lattice(const PointRequest& request) {
     shape.count[d] = static_cast<Index>(cells);
   }
   if (request.layout.type == "jittered") shape.jitter = request.layout.jitter;
-  for (int d = 0; d < D; ++d)
-    if (study.margin > 0 && 2 * study.margin >= shape.count[d])
-      throw InputError("margin", fmt::format("a margin of {} cells leaves none of {} along {}",
-                                             study.margin, shape.count[d], "xyz"[d]));
   shape.seed = static_cast<std::uint64_t>(request.layout.seed.value_or(0));
   shape.layers = request.beyond;
   StudyPoints<D> result{.points = lattice_points(shape)};
@@ -77,7 +83,8 @@ StudyPoints<D> lattice(const PointRequest& request) {
     Index cell = i;
     for (int d = 0; d < D; cell /= shape.count[d++]) {
       const Index k = cell % shape.count[d];
-      interior = interior && k >= study.margin && shape.count[d] - 1 - k >= study.margin;
+      const std::int64_t margin = margin_of(request, shape.count[d], "xyz"[d]);
+      interior = interior && k >= margin && shape.count[d] - 1 - k >= margin;
     }
     result.interior.push_back(interior);
   }

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
 
@@ -118,9 +119,11 @@ void add_check_ups(Out out, const StudyResult& result) {
                  "points without a parabola"});
   for (const CheckUpSummary& s : result.check_ups)
     fmt::format_to(
-        out, "| {} | `{}` | {} at {} | {:.2f} at {} | {} | {} |\n", s.layout,
-        s.differential_operator, s.fewest.value, s.fewest.point, s.least_covered.value,
-        s.least_covered.point,
+        out, "| {} | `{}` | {} at {} | {} | {} | {} |\n", s.layout, s.differential_operator,
+        s.fewest.value, s.fewest.point,
+        std::isfinite(s.least_covered.value)
+            ? fmt::format("{:.2f} at {}", s.least_covered.value, s.least_covered.point)
+            : "–",
         s.worst_condition.value > 0
             ? fmt::format("{:.3g} at {}", s.worst_condition.value, s.worst_condition.point)
             : "–",

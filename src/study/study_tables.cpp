@@ -43,7 +43,7 @@ CaseTables::CaseTables(const std::filesystem::path& folder, bool with_points)
       with_points_(with_points) {}
 
 void CaseTables::add(const StudyCase& done) {
-  if (with_points_) add_points(done);
+  if (with_points_ && !done.quantities.empty()) add_points(done);
   if (!done.neighbourhoods.empty()) add_neighbourhoods(done);
 }
 
@@ -94,22 +94,26 @@ void CaseTables::add_neighbourhoods(const StudyCase& done) {
         rows);
 }
 
-void CaseTables::discard() {
-  for (Table* table : {&points_, &check_up_}) {
-    table->file.close();
-    std::error_code ignored;
-    std::filesystem::remove(unfinished(table->path), ignored);
-  }
+bool CaseTables::keep_check_up() {
+  points_.file.close();
+  std::error_code ignored;
+  std::filesystem::remove(unfinished(points_.path), ignored);
+  const bool has_check_up = check_up_.file.is_open();
+  finish(check_up_);
+  return has_check_up;
 }
 
 void CaseTables::finish() {
-  for (Table* table : {&points_, &check_up_}) {
-    if (!table->file.is_open()) continue;
-    table->file.close();
-    if (table->file.fail())
-      throw InputError(fmt::format("{}: cannot write this file", table->path.string()));
-    mote::finish(table->path);
-  }
+  finish(points_);
+  finish(check_up_);
+}
+
+void CaseTables::finish(Table& table) {
+  if (!table.file.is_open()) return;
+  table.file.close();
+  if (table.file.fail())
+    throw InputError(fmt::format("{}: cannot write this file", table.path.string()));
+  mote::finish(table.path);
 }
 
 }  // namespace mote

@@ -28,8 +28,10 @@ class CaseTables {
   void add(const StudyCase& done);
   void finish();
 
-  /// Removes what is unfinished.
-  void discard();
+  bool has_check_up() const { return check_up_.file.is_open(); }
+
+  /// Removes what is unfinished but for a check-up, which is finished; whether there is one.
+  bool keep_check_up();
 
  private:
   struct Table {
@@ -38,6 +40,7 @@ class CaseTables {
   };
   void add_points(const StudyCase& done);
   void add_neighbourhoods(const StudyCase& done);
+  static void finish(Table& table);
   static void write(Table& table, const std::string& header, const std::string& rows);
 
   Table points_, check_up_;

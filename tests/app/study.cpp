@@ -152,9 +152,9 @@ TEST(Study, IsTheSameWhenItsOwnFileIsReadAgain) {
 }
 
 TEST(Study, TakesValuesFromTheCommandLine) {
-  const Measured measured(on_a_line,
-                          {"--set", "resolutions=[10]", "--set", "layouts=[regular]", "--set",
-                           "operators=[{family: mps, name: only}]", "--set", "norms=[max]"});
+  const Measured measured(on_a_line, {"--set", "resolutions=[10]", "--set", "layouts=[regular]",
+                                      "--set", "operators=[{family: mps, name: only}]", "--set",
+                                      "norms=[max]", "--set", "margin=0"});
   const CsvTable study = measured.table("out/study.csv");
   ASSERT_EQ(study.rows.size(), 2u);
   EXPECT_EQ(study.rows[0].at("resolution"), "10");

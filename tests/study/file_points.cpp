@@ -1,5 +1,6 @@
 #include "mote/study/file_points.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -42,10 +43,11 @@ struct Columns {
   }
 };
 
-StudyPoints<2> points_of(const std::string& csv) {
-  const WrittenStudy written(
-      "name: own\ndimension: 2\nfield: \"x\"\ndensity: \"1 + x\"\nvorticity: \"2 - y\"\n"
-      "layouts: [{type: file, path: p.csv}]\noperators: [sph.gauss]\n");
+StudyPoints<2> points_of(const std::string& csv,
+                         const std::string& density = "density: \"1 + x\"\n") {
+  const WrittenStudy written("name: own\ndimension: 2\nfield: \"x\"\n" + density +
+                             "vorticity: \"2 - y\"\n"
+                             "layouts: [{type: file, path: p.csv}]\noperators: [sph.gauss]\n");
   write(written.folder / "p.csv", csv);
   return file_points<2>(
       {written.study, written.catalogue, written.study.layouts[0], 0, 0, written.folder.path()},
@@ -153,10 +155,26 @@ TEST(FilePoints, SayWhereVolumesComeFrom) {
     return points_of(columns.csv(names)).remarks;
   };
   EXPECT_EQ(remarks({"x", "y", "volume"}), Remarks{});
-  EXPECT_EQ(remarks({"x", "y"}), Remarks{"p.csv: volumes follow from how closely the points lie"});
+  EXPECT_THAT(remarks({"x", "y"}), testing::ElementsAre(testing::StartsWith(
+                                       "p.csv: volumes follow from how closely the points lie; ")));
   EXPECT_EQ(remarks({"x", "y", "mass"}), Remarks{"p.csv: volumes are mass over density"});
   EXPECT_EQ(remarks({"x", "y", "volume", "field"}),
             Remarks{"p.csv: the field's values are the file's own column"});
+}
+
+// A default density is not the points' own: only one that the study states makes volumes of masses.
+TEST(FilePoints, OfMassAloneHaveTheDensityThatTheirSpacingGives) {
+  const Columns columns;
+  const auto found = points_of(columns.csv({"x", "y", "mass"}), "").points;
+  const auto volumes = volumes_by_spacing(found);
+  for (std::size_t i = 0; i < volumes.size(); ++i)
+    EXPECT_NEAR(found.density[i] * static_cast<double>(volumes[i]), columns.values.at("mass")[i],
+                1e-12);
+}
+
+TEST(FilePoints, CloserThanAMillionthOfTheSpacingAreRefused) {
+  EXPECT_NO_THROW(points_of("x,y\n0,0\n1,0\n0,1\n1,1\n1e-3,0\n"));
+  EXPECT_THROW(points_of("x,y\n0,0\n1,0\n0,1\n1,1\n1e-9,0\n"), InputError);
 }
 
 /// Far from the sides, of a lattice: the kernel's sum is the integral but for its high harmonics.
