@@ -236,4 +236,14 @@ using Cubic = LeastSquares<D, 3>;
 template <int D>
 using Quartic = LeastSquares<D, 4>;
 
+extern template class LeastSquares<1, 2>;
+extern template class LeastSquares<2, 2>;
+extern template class LeastSquares<3, 2>;
+extern template class LeastSquares<1, 3>;
+extern template class LeastSquares<2, 3>;
+extern template class LeastSquares<3, 3>;
+extern template class LeastSquares<1, 4>;
+extern template class LeastSquares<2, 4>;
+extern template class LeastSquares<3, 4>;
+
 }  // namespace mote

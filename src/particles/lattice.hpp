@@ -37,11 +37,11 @@ struct LatticeShape {
   double volume() const { return cell().prod(); }
 };
 
-/// Positions and lengths of a lattice: first the cells of the box, x fastest, then the layers around
-/// it in the same order. Component d of the move of point i is the draw i D + d of the seed, jitter
-/// (2 u - 1) cell sides; the points of the layers take the next draws, so that they depend on the
-/// number of layers, or move with the point that they are images of. The length of a cell is the
-/// D-th root of its volume. Mass, density and the like are left to the caller.
+/// Positions and lengths of a lattice: first the cells of the box, x fastest, then the layers
+/// around it in the same order. Component d of the move of point i is the draw i D + d of the seed,
+/// jitter (2 u - 1) cell sides; the points of the layers take the next draws, so that they depend
+/// on the number of layers, or move with the point that they are images of. The length of a cell is
+/// the D-th root of its volume. Mass, density and the like are left to the caller.
 template <int D>
 Points<D> lattice_points(const LatticeShape<D>& shape);
 

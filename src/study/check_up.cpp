@@ -1,6 +1,6 @@
 #include "mote/study/check_up.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -30,24 +30,29 @@ double covered_share(const Points<D>& points, const NeighbourRule& rule,
   return sum / (unit_ball<D> * volume<D>(rule.reach() * points.length[i]));
 }
 
-/// From the singular values of the matrix of monomials of degree 1 and 2, a row each neighbour.
+/// From the eigenvalues of the normal equations of the monomials of degree 1 and 2, which are the
+/// squares of the singular values.
 template <int D>
 double condition_number(const Points<D>& points, std::span<const Index> list, Index i) {
   constexpr int unknowns = D + second_derivatives<D>;
-  if (list.size() < unknowns) return std::numeric_limits<double>::infinity();
-  Eigen::Matrix<double, Eigen::Dynamic, unknowns> matrix(list.size(), unknowns);
-  for (std::size_t k = 0; k < list.size(); ++k) {
-    const Vec<D> x = (points.at(list[k]) - points.at(i)) / points.length[i];
-    matrix.row(static_cast<Eigen::Index>(k)) << x.transpose(), products_of<D>(x).transpose();
+  using Square = Eigen::Matrix<double, unknowns, unknowns>;
+  Square normal = Square::Zero();
+  for (const Index j : list) {
+    const Vec<D> x = (points.at(j) - points.at(i)) / points.length[i];
+    Eigen::Matrix<double, unknowns, 1> row;
+    row << x, products_of<D>(x);
+    normal += row * row.transpose();
   }
-  for (int a = 0; a < unknowns; ++a) {
-    const double norm = matrix.col(a).norm();
-    if (norm > 0) matrix.col(a) /= norm;
-  }
-  const auto values = matrix.jacobiSvd().singularValues();
-  constexpr double zero = 1e-14;
-  return values[unknowns - 1] > zero * values[0] ? values[0] / values[unknowns - 1]
-                                                 : std::numeric_limits<double>::infinity();
+  const auto lengths = normal.diagonal().cwiseSqrt().eval();
+  for (int a = 0; a < unknowns; ++a)
+    for (int b = 0; b < unknowns; ++b)
+      if (lengths[a] * lengths[b] > 0) normal(a, b) /= lengths[a] * lengths[b];
+  const auto values =
+      Eigen::SelfAdjointEigenSolver<Square>(normal, Eigen::EigenvaluesOnly).eigenvalues();
+  constexpr double rounding = 1e-13;  // of an eigenvalue, so that 3e6 is the largest condition
+  const bool fixed = list.size() >= unknowns && values[0] > rounding * values[unknowns - 1];
+  return fixed ? std::sqrt(values[unknowns - 1] / values[0])
+               : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
