@@ -126,9 +126,10 @@ TEST(LowerDegree, IsTakenWhereNeighboursAreTooFewAndSaidInARemark) {
   auto op = lowering_operator();
   const auto points = cloud_with_nine();
   EXPECT_TRUE(is_exact<2>(op, points, 2, 1e-9));
-  EXPECT_THAT(op.remarks(), testing::ElementsAre("9 points have too few neighbours for degree 4, "
-                                                 "the first of them point 3; a lower degree was "
-                                                 "used there"));
+  EXPECT_THAT(op.remarks(),
+              testing::ElementsAre("9 points have neighbours that do not fix degree 4, "
+                                   "the first of them point 3; a lower degree was "
+                                   "used there"));
 }
 
 TEST(LowerDegree, IsExactForAParabolaThereAndForNothingMore) {
