@@ -21,7 +21,8 @@ enum class DensityFrom { points, summation };
 ///                       - (W'_ij/rho_i) (e (grad rho)^T + (grad rho) e^T)]               (27)
 ///   l_ij = (m_j/rho_i) [W''_ij + (D-1) W'_ij/r_ij - (2/rho_i) W'_ij e_ij . (grad rho)_i]  (30)
 ///   (grad rho)_i = sum_k m_k W'_ik e_ik                                                  (20)
-/// with e = e_ij = x_ij/r_ij. The double sums of (27) and (30) are products of two single sums.
+/// with e = e_ij = x_ij/r_ij. The double sums of (27), corrected where the print is garbled, and
+/// (30) are products of two single sums.
 ///
 /// `Smoothed` says what is smoothed: `amount(points)`, `density(points)`, and their words.
 template <int D, class Kernel, class Smoothed>

@@ -155,7 +155,7 @@ void Simulation::make_exact(const Catalogue& catalogue) {
                        "the section 'eulerian'");
   const std::unique_ptr<Model> fine = lagrangian ? nullptr : finely_divided(scenario_, catalogue);
   const Model& start = lagrangian ? *model_ : *fine;
-  exact_ = solution.make(start.cloud(), start.parameters());
+  exact_ = solution.make({start.cloud(), start.parameters(), initial_value(scenario_)});
   if (scenario_.time.end >= exact_->valid_until())
     throw InputError("time.end",
                      fmt::format("the exact solution {} ends at t = {:.6g}, before the run does "

@@ -52,17 +52,18 @@ void begin(const ClaimedFolder& claimed, const fs::path& folder, const std::stri
 }
 
 void print_errors(const StudyResult& result) {
-  std::size_t layout = 6, name = 8;
+  std::size_t layout = 6, name = 8, norm = 4;
   for (const StudyRow& row : result.rows) {
     layout = std::max(layout, row.layout.size());
     name = std::max(name, row.differential_operator.size());
+    norm = std::max(norm, row.norm.size());
   }
-  fmt::print("{:<{}} {:>10}  {:<{}} {:<11} {:<5} {:>10} {:>6}\n", "layout", layout, "resolution",
-             "operator", name, "quantity", "norm", "error", "order");
+  fmt::print("{:<{}} {:>10}  {:<{}} {:<11} {:<{}} {:>10} {:>6}\n", "layout", layout, "resolution",
+             "operator", name, "quantity", "norm", norm, "error", "order");
   for (const StudyRow& row : result.rows)
-    fmt::print("{:<{}} {:>10}  {:<{}} {:<11} {:<5} {:>10.3e} {:>6}\n", row.layout, layout,
-               row.resolution, row.differential_operator, name, row.quantity, row.norm, row.error,
-               row.order ? fmt::format("{:.2f}", *row.order) : "");
+    fmt::print("{:<{}} {:>10}  {:<{}} {:<11} {:<{}} {:>10.3e} {:>6}\n", row.layout, layout,
+               row.resolution, row.differential_operator, name, row.quantity, row.norm, norm,
+               row.error, row.order ? fmt::format("{:.2f}", *row.order) : "");
 }
 
 }  // namespace

@@ -42,10 +42,18 @@ struct LayoutEntry : Choice {
   std::function<double(Index i, Index count, std::uint64_t seed)> relative_length;
 };
 
+/// What an exact solution is made from: the model's particles and parameters at the start, and the
+/// initial fields at any place, beyond the domain too.
+struct ExactSetup {
+  const Cloud& initial;
+  Parameters parameters;
+  InitialValue start;
+};
+
 struct ExactEntry : Choice {
   std::vector<std::string> fields;  ///< what a `check` may set a limit for
   /// Throws InputError if the solution is not one of this model with these parameters.
-  std::function<std::unique_ptr<ExactSolution>(const Cloud& initial, const Parameters&)> make;
+  std::function<std::unique_ptr<ExactSolution>(const ExactSetup& setup)> make;
 };
 
 /// Everything that a scenario can name. `standard_catalogue` holds mote's own lists; a program

@@ -8,7 +8,8 @@ namespace {
 
 std::vector<double> copy(std::span<const double> values) { return {values.begin(), values.end()}; }
 
-std::unique_ptr<ExactSolution> sheets_from(const Cloud& initial, const Parameters& parameters) {
+std::unique_ptr<ExactSolution> sheets_from(const ExactSetup& setup) {
+  const auto& [initial, parameters, start] = setup;
   if (!parameters.contains("gravity") || !initial.has("length_rate"))
     throw InputError("check.against", "gravitating_sheets solves the model pressureless_gas alone");
   if (parameters.at("viscosity") != 0)

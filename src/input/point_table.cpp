@@ -18,8 +18,6 @@ constexpr std::pair<const char*, Reader> readers[] = {
     {".vtk", read_vtk_points},  {".hdf", read_hdf5_points}, {".h5", read_hdf5_points},
     {".hdf5", read_hdf5_points}};
 
-constexpr const char* axes[] = {"x", "y", "z"};
-
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& message) {
   throw InputError(path.string() + ": " + message);
 }
@@ -80,14 +78,14 @@ std::vector<std::string> coordinate_names(const std::string& array, std::size_t 
   if (components < 1 || components > 3)
     throw InputError(
         fmt::format("'{}' has {} numbers a point; a position has 1 to 3", array, components));
-  return {axes, axes + components};
+  return {axis_names, axis_names + components};
 }
 
 std::vector<std::string> component_names(const std::string& field, std::size_t components) {
   if (components == 1) return {field};
   std::vector<std::string> names;
   for (std::size_t c = 0; c < components; ++c)
-    names.push_back(field + '_' + (components <= 3 ? axes[c] : std::to_string(c)));
+    names.push_back(field + '_' + (components <= 3 ? axis_names[c] : std::to_string(c)));
   return names;
 }
 

@@ -7,8 +7,6 @@
 namespace mote {
 namespace {
 
-constexpr const char* axes[] = {"x", "y", "z"};
-
 std::string header(const Cloud& cloud) {
   std::string line = "id";
   for (const Field& field : cloud.fields())
@@ -16,7 +14,7 @@ std::string header(const Cloud& cloud) {
       line += ',';
       if (field.name != "position") line += field.name;
       if (field.kind == FieldKind::vector && field.name != "position") line += '_';
-      if (field.kind == FieldKind::vector) line += axes[c];
+      if (field.kind == FieldKind::vector) line += axis_names[c];
     }
   return line + '\n';
 }

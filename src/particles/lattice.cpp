@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "mote/particles/images.hpp"
 #include "mote/particles/random.hpp"
 
 namespace mote {
@@ -72,7 +73,7 @@ class Lattice {
           i = number(source);
           break;
         case LatticeExtension::periodic:
-          for (int d = 0; d < D; ++d) source[d] = wrapped(cell[d], shape_.count[d]);
+          for (int d = 0; d < D; ++d) source[d] = periodic_image(cell[d], shape_.count[d]);
           i = number(source);
           break;
       }
@@ -83,15 +84,12 @@ class Lattice {
     return move;
   }
 
-  static Index wrapped(Index k, Index count) { return (k % count + count) % count; }
-
   /// The cell inside of which `cell` is the image, and the direction of its moves.
   void reflect(CellNumbers<D>& cell, Vec<D>& sign) const {
     for (int d = 0; d < D; ++d) {
-      const Index period = wrapped(cell[d], 2 * shape_.count[d]);
-      const bool reversed = period >= shape_.count[d];
-      cell[d] = reversed ? 2 * shape_.count[d] - 1 - period : period;
-      if (reversed) sign[d] = -1;
+      const MirrorImage image = mirror_image(cell[d], shape_.count[d]);
+      cell[d] = image.cell;
+      if (image.reversed) sign[d] = -1;
     }
   }
 

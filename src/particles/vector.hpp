@@ -16,4 +16,7 @@ using Vec = Eigen::Matrix<double, D, 1>;
 template <int D>
 using Mat = Eigen::Matrix<double, D, D>;
 
+/// What the coordinates are called, in files and messages.
+inline constexpr const char* axis_names[] = {"x", "y", "z"};
+
 }  // namespace mote

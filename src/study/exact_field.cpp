@@ -107,16 +107,15 @@ std::vector<double> ExactField::exact(const std::string& quantity,
 }
 
 std::vector<std::string> ExactField::components(const std::string& quantity) const {
-  constexpr const char* axes = "xyz";
   if (quantity == "laplacian" || quantity == "divergence") return {""};
   if (quantity == "curl" && dimension_ == 2) return {""};
   std::vector<std::string> names;
   for (std::size_t c = 0; c < dimension_; ++c)
     if (quantity == "hessian")
       for (std::size_t d = 0; d < dimension_; ++d)
-        names.push_back(fmt::format("_{}{}", axes[c], axes[d]));
+        names.push_back(fmt::format("_{}{}", axis_names[c], axis_names[d]));
     else
-      names.push_back(fmt::format("_{}", axes[c]));
+      names.push_back(fmt::format("_{}", axis_names[c]));
   return names;
 }
 

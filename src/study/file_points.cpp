@@ -14,13 +14,11 @@
 namespace mote {
 namespace {
 
-constexpr const char* axes[] = {"x", "y", "z"};
-
 /// Reads points of D coordinates and nothing else yet.
 template <int D>
 Points<D> positions_of(const PointTable& table, const std::string& path) {
   int coordinates = 0;
-  while (coordinates < 3 && table.has(axes[coordinates])) ++coordinates;
+  while (coordinates < 3 && table.has(axis_names[coordinates])) ++coordinates;
   if (coordinates != D)
     throw InputError("layouts", fmt::format("{}: its points have {} coordinate{}, the study has {}",
                                             path, coordinates, coordinates == 1 ? "" : "s", D));
@@ -29,7 +27,7 @@ Points<D> positions_of(const PointTable& table, const std::string& path) {
   Points<D> points;
   points.resize(static_cast<Index>(table.rows()), static_cast<Index>(table.rows()));
   for (int d = 0; d < D; ++d) {
-    const auto column = table.column(axes[d]);
+    const auto column = table.column(axis_names[d]);
     for (std::size_t i = 0; i < column.size(); ++i) points.position[i * D + d] = column[i];
   }
   return points;

@@ -8,19 +8,16 @@
 #include <numeric>
 
 #include "mote/particles/failure.hpp"
+#include "mote/particles/images.hpp"
 
 namespace mote {
 namespace {
 
 /// The cell of the line that the cell i beyond its ends is like.
 Index image_of(Index i, Index count, const std::string& extension) {
-  const auto wrapped = [](Index k, Index period) { return (k % period + period) % period; };
   if (extension == "constant") return std::clamp(i, 0, count - 1);
-  if (extension == "periodic") return wrapped(i, count);
-  if (extension == "mirror") {
-    const Index k = wrapped(i, 2 * count);
-    return k < count ? k : 2 * count - 1 - k;
-  }
+  if (extension == "periodic") return periodic_image(i, count);
+  if (extension == "mirror") return mirror_image(i, count).cell;
   return i;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "mote/neighbours/kd_tree.hpp"
 #include "mote/neighbours/line.hpp"
@@ -113,12 +114,21 @@ class Runner {
     return static_cast<Index>(std::ceil(D == 1 ? 2 * reach : reach));
   }
 
+  /// The points of a request, which operators one after the other mostly share.
+  const StudyPoints<D>& placed_points(const PointRequest& request) {
+    const auto key = std::tuple(&request.layout, request.resolution, request.beyond);
+    if (key != placed_for_) {
+      placed_ = study_points<D>(request, exact_);
+      placed_for_ = key;
+    }
+    return placed_;
+  }
+
   /// The neighbourhoods of a user's own points, before any operator can fail on them.
   void check_up_on(const StudyFile::Layout& layout, const StudyFile::Operator& item) {
     const PointRequest request{study_, catalogue_, layout, 0, 0, folder_};
     guard(request, item, [&] {
-      const StudyPoints<D> placed = study_points<D>(request, exact_);
-      const Points<D>& points = placed.points;
+      const Points<D>& points = placed_points(request).points;
       const NeighbourRule rule = differential_operator(item).neighbour_rule();
       const NeighbourLists lists = neighbours_of(points, rule);
       StudyCase checked{.layout = layout,
@@ -137,7 +147,7 @@ class Runner {
 
   void measure(const PointRequest& request, const StudyFile::Operator& item) {
     guard(request, item, [&] {
-      const StudyPoints<D> placed = study_points<D>(request, exact_);
+      const StudyPoints<D>& placed = placed_points(request);
       for (const auto& remark : placed.remarks) remark_once(remark);
       apply(request, item, placed);
     });
@@ -186,19 +196,16 @@ class Runner {
                      .positions = std::span(points.position).first(receivers * D),
                      .field = std::span(fields.scalar).first(receivers)};
     for (const std::string& quantity : study_.quantities) {
+      QuantityValues values{
+          quantity, exact_.components(quantity), {}, exact_.exact(quantity, result.positions)};
       if (quantity == "hessian" && !op.has_hessian()) {
         remark_once(fmt::format("the operator '{}' has no Hessian", item.name));
-        const double unknown = std::numeric_limits<double>::quiet_NaN();
-        QuantityValues values{
-            quantity, exact_.components(quantity), {}, exact_.exact(quantity, result.positions)};
-        values.computed.assign(values.exact.size(), unknown);
-        result.quantities.push_back(std::move(values));
-        continue;
+        values.computed.assign(values.exact.size(), std::numeric_limits<double>::quiet_NaN());
+      } else {
+        values.computed = computed<D>(quantity, op, lists, fields);
+        add_rows(result, values, placed.interior);
       }
-      result.quantities.push_back({quantity, exact_.components(quantity),
-                                   computed<D>(quantity, op, lists, fields),
-                                   exact_.exact(quantity, result.positions)});
-      add_rows(result, result.quantities.back(), placed.interior);
+      result.quantities.push_back(std::move(values));
     }
     visit_(result);
   }
@@ -263,6 +270,8 @@ class Runner {
   const std::filesystem::path& folder_;
   const std::function<void(const StudyCase&)>& visit_;
   ExactField exact_;
+  std::tuple<const StudyFile::Layout*, Index, Index> placed_for_;  ///< what placed_ was made for
+  StudyPoints<D> placed_;
   StudyResult result_;
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "mote/particles/failure.hpp"
@@ -78,13 +79,14 @@ StudyPoints<D> lattice(const PointRequest& request) {
   shape.seed = static_cast<std::uint64_t>(request.layout.seed.value_or(0));
   shape.layers = request.beyond;
   StudyPoints<D> result{.points = lattice_points(shape)};
+  std::array<std::int64_t, D> margin;
+  for (int d = 0; d < D; ++d) margin[d] = margin_of(request, shape.count[d], "xyz"[d]);
   for (Index i = 0; i < result.points.receivers; ++i) {
     bool interior = true;
     Index cell = i;
     for (int d = 0; d < D; cell /= shape.count[d++]) {
       const Index k = cell % shape.count[d];
-      const std::int64_t margin = margin_of(request, shape.count[d], "xyz"[d]);
-      interior = interior && k >= margin && shape.count[d] - 1 - k >= margin;
+      interior = interior && k >= margin[d] && shape.count[d] - 1 - k >= margin[d];
     }
     result.interior.push_back(interior);
   }

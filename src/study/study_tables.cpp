@@ -12,11 +12,9 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
-constexpr const char* axes[] = {"x", "y", "z"};
-
 std::string coordinate_names(int dimension) {
   std::string names;
-  for (int d = 0; d < dimension; ++d) names += fmt::format(",{}", axes[d]);
+  for (int d = 0; d < dimension; ++d) names += fmt::format(",{}", axis_names[d]);
   return names;
 }
 

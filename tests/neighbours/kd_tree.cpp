@@ -13,6 +13,7 @@
 
 #include "support/brute_force.hpp"
 #include "support/clouds.hpp"
+#include "support/dimensions.hpp"
 
 namespace mote::test {
 namespace {
@@ -164,15 +165,6 @@ struct KdTreeSearchIn : testing::Test {
   static constexpr int D = Dimension::value;
 };
 
-struct NameOfDimension {
-  template <class Dimension>
-  static std::string GetName(int) {
-    return std::to_string(Dimension::value) + "D";
-  }
-};
-
-using Dimensions = testing::Types<std::integral_constant<int, 1>, std::integral_constant<int, 2>,
-                                  std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(KdTreeSearchIn, Dimensions, NameOfDimension);
 
 TYPED_TEST(KdTreeSearchIn, FindsWhatTryingAllPairsFinds) {

@@ -179,7 +179,7 @@ TYPED_TEST(CorrectedSph, IsNotExactForOneDegreeMore) {
   const Comparison parabola(op, this->points, 2), cubic(op, this->points, 3);
   EXPECT_FALSE(parabola.gradient(1e-4));
   EXPECT_FALSE(parabola.divergence(1e-4));
-  EXPECT_FALSE(parabola.curl(1e-4));
+  EXPECT_TRUE(TestFixture::D == 1 || !parabola.curl(1e-4));
   EXPECT_FALSE(cubic.laplacian(1e-4));
   EXPECT_FALSE(cubic.hessian(1e-4));
 }
@@ -190,7 +190,7 @@ TYPED_TEST(CorrectedSph, CheckNoticesOneAlteredWeight) {
   const Comparison linear(altered, this->points, 1), parabola(altered, this->points, 2);
   EXPECT_FALSE(linear.gradient(1e-9));
   EXPECT_FALSE(linear.divergence(1e-9));
-  EXPECT_FALSE(linear.curl(1e-9));
+  EXPECT_TRUE(D == 1 || !linear.curl(1e-9));
   EXPECT_FALSE(parabola.laplacian(1e-9));
   EXPECT_FALSE(parabola.hessian(1e-9));
 }

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "support/dimensions.hpp"
+
 namespace mote::test {
 namespace {
 
@@ -174,15 +176,6 @@ struct LatticeIn : testing::Test {
   static constexpr int D = Dimension::value;
 };
 
-struct NameOfDimension {
-  template <class Dimension>
-  static std::string GetName(int) {
-    return std::to_string(Dimension::value) + "D";
-  }
-};
-
-using Dimensions = testing::Types<std::integral_constant<int, 1>, std::integral_constant<int, 2>,
-                                  std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(LatticeIn, Dimensions, NameOfDimension);
 
 /// 16 layers need images of images on every axis.
