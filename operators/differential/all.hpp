@@ -3,6 +3,7 @@
 #include "mote/operators/differential/corrected_sph.hpp"
 #include "mote/operators/differential/finite_difference.hpp"
 #include "mote/operators/differential/least_squares.hpp"
+#include "mote/operators/differential/morris.hpp"
 #include "mote/operators/differential/mps.hpp"
 #include "mote/operators/differential/mps_as_sph.hpp"
 #include "mote/operators/differential/sph.hpp"
@@ -29,7 +30,7 @@ constexpr void for_each_family(FamilyList<Family...>, Visit&& visit) {
 }
 
 /// The operator families of mote. A new one is its own file and a word in one of these lists.
-using KernelFamilies = KernelFamilyList<Sph, CorrectedSph, VortexBlob>;
+using KernelFamilies = KernelFamilyList<Sph, Morris, CorrectedSph, VortexBlob>;
 using PlainFamilies = FamilyList<Mps, MpsAsSph, Quadratic, Cubic, Quartic, FiniteDifference>;
 
 }  // namespace mote

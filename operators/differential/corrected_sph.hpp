@@ -4,16 +4,15 @@
 #include <string_view>
 #include <vector>
 
-#include "mote/operators/differential/differential_operator.hpp"
+#include "mote/operators/differential/difference_form.hpp"
 #include "mote/operators/differential/moment_correction.hpp"
-#include "mote/operators/kernels/kernel.hpp"
 #include "mote/particles/failure.hpp"
 
 namespace mote {
 
 /// Smoothed particle hydrodynamics with a gradient that is exact for linear fields and second
 /// derivatives that are exact for parabolas, at any arrangement of the points.
-/// With x = x_j - x_i, F_ij = -V_j W'_ij/r_ij and the volume V_j = m_j/rho_j,
+/// With x = x_j - x_i and the slopes F_ij of DifferenceForm,
 ///   g_ij = B_i F_ij x,   B_i^-1 = sum_j F_ij x x^T
 /// after Bonet & Lok (1999), exact for linear fields, and the Laplacian of Brookshaw (1985) and
 /// Morris (1997), 2 F_ij (f_j - f_i), with the two corrections of Fatehi & Manzari (2011): a tensor
@@ -22,27 +21,11 @@ namespace mote {
 /// where A_i follows from the D(D+1)/2 conditions sum_j l_ij x x^T = 2. The Hessian has one such
 /// tensor a component.
 template <int D, class Kernel>
-class CorrectedSph final : public DifferentialOperator<D> {
-  static_assert(SmoothingKernel<Kernel>);
-
+class CorrectedSph final : public DifferenceForm<D, Kernel> {
  public:
-  static constexpr int highest_dimension = 3;
   static constexpr std::string_view family = "corrected_sph";
   static constexpr std::string_view summary =
       "sph corrected by moment matrices: second derivatives exact for parabolas";
-
-  double smoothing_length = Kernel::usual_length;  ///< in local spacings
-  PairLength length = PairLength::mean;
-  Kernel kernel;
-
-  void describe(Description& description) override {
-    describe_lengths(description, smoothing_length, length);
-    if constexpr (HasOptions<Kernel>) kernel.describe(description);
-  }
-
-  NeighbourRule neighbour_rule() const override {
-    return {kernel.support(), smoothing_length, length};
-  }
 
   void prepare(const Points<D>& points, const NeighbourLists& lists) override {
     points_ = &points;
@@ -81,19 +64,9 @@ class CorrectedSph final : public DifferentialOperator<D> {
   }
 
  private:
-  struct Pair {
-    Vec<D> x;      ///< x_j - x_i
-    double slope;  ///< F_ij
-  };
-
-  Pair make_pair(Index i, Index j) const {
-    const double h = smoothing_length * pair_length(length, points_->length[i], points_->length[j]);
-    const Vec<D> x = points_->at(j) - points_->at(i);
-    double scale = h * h;
-    for (int d = 0; d < D; ++d) scale *= h;
-    const double volume = points_->mass[j] / points_->density[j];
-    return {x, -volume / scale * kernel.slope_over_q(x.norm() / h)};
-  }
+  using Base = DifferenceForm<D, Kernel>;
+  using Base::points_, Base::lists_, Base::make_pair;
+  using Pair = typename Base::Pair;
 
   static double second_weight(const Pair& pair, const SecondDerivative<D>& derivative) {
     return pair.slope * (derivative.tensor.dot(products_of<D>(pair.x)) / pair.x.squaredNorm() -
@@ -117,8 +90,6 @@ class CorrectedSph final : public DifferentialOperator<D> {
         {i}, "they are too few, at the same place, or on too few directions for a parabola");
   }
 
-  const Points<D>* points_ = nullptr;
-  const NeighbourLists* lists_ = nullptr;
   std::vector<MomentCorrection<D>> corrections_;
 };
 

@@ -43,6 +43,8 @@ Certificate certificate_without_results(const Simulation& simulation, const Mome
                           .time = moment.time};
   certificate.pair_work = simulation.model().pair_work();
   certificate.warnings = simulation.warnings();
+  for (const std::string& warning : simulation.model().warnings())
+    certificate.warnings.push_back(scenario.name + ": warning: " + warning);
   return certificate;
 }
 

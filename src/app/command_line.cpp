@@ -24,6 +24,10 @@ void add_threads_and_quiet(CLI::App& command, RunOptions& options) {
   command.add_flag("--quiet", options.quiet, "print nothing but errors");
 }
 
+void add_strict(CLI::App& command, RunOptions& options) {
+  command.add_flag("--strict", options.strict, "make errors of warnings");
+}
+
 void add_file(CLI::App& command, RunOptions& options, const std::string& what) {
   command.add_option("file", options.file, what)->required();
   command.add_option("--set", options.assignments, "key.path=value, in place of the file's value")
@@ -45,6 +49,7 @@ class Commands {
     CLI::App* run_command = add(app, "run", "run a scenario and certify the result",
                                 [this] { return run(catalogue_, run_); });
     add_file_and_output(*run_command, run_, "scenario, a YAML file");
+    add_strict(*run_command, run_);
 
     CLI::App* study_command = add(app, "study", "measure operators on points, without time",
                                   [this] { return study(catalogue_, run_); });
@@ -53,11 +58,13 @@ class Commands {
     CLI::App* check_command = add(app, "check", "validate and estimate; run nothing",
                                   [this] { return check(catalogue_, run_); });
     add_file(*check_command, run_, "scenario, a YAML file");
+    add_strict(*check_command, run_);
 
     CLI::App* resume_command = add(app, "resume", "go on from the last snapshot of a run",
                                    [this] { return resume(catalogue_, run_); });
     resume_command->add_option("folder", run_.out, "output folder of the run")->required();
     add_threads_and_quiet(*resume_command, run_);
+    add_strict(*resume_command, run_);
 
     CLI::App* export_command = add(app, "export", "write a snapshot as CSV or VTK",
                                    [this] { return export_frame(export_); });

@@ -17,6 +17,7 @@ struct RunOptions {
   int threads = 0;                       ///< 0: the scenario's, or all there are
   bool overwrite = false;
   bool quiet = false;
+  bool strict = false;  ///< whether warnings are errors
 };
 
 struct ExportOptions {

@@ -36,7 +36,7 @@ Simulation prepare_simulation(const Catalogue& catalogue, const RunOptions& opti
     omp_set_num_threads(options.threads);
   else if (scenario.threads > 0)
     omp_set_num_threads(static_cast<int>(scenario.threads));
-  return Simulation(document, std::move(scenario), catalogue);
+  return Simulation(document, std::move(scenario), catalogue, options.strict);
 }
 
 Progress::Style progress_style(const RunOptions& options) {

@@ -50,9 +50,7 @@ void RunLoop::run_to(std::int64_t frame) {
   for (std::int64_t k = 1; k <= plan.steps_to(frame); ++k) {
     const double time = now_.time;
     now_ = {now_.frame, now_.step + 1, plan.time(frame, k)};
-    simulation_.integrator().advance_one_step(model, time, step);
-    model.update_dependent_fields();
-    model.inspect();
+    simulation_.advance(time, step);
     const bool last = k == plan.steps_to(frame);
     if (last || now_.step % simulation_.scenario().output.history == 0)
       folder_.history().add(now_, model.conserved());

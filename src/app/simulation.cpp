@@ -40,6 +40,7 @@ LineSetup line_setup(const Scenario& scenario, const Catalogue& catalogue) {
   LineSetup setup;
   setup.lower = scenario.domain.lower[0];
   setup.upper = scenario.domain.upper[0];
+  setup.ends = scenario.domain.boundary;
   setup.extension = *scenario.domain.extension;
   setup.initial = initial_value(scenario);
   const auto& layout = entry_named(catalogue.layouts, scenario.particles.layout);
@@ -85,9 +86,11 @@ double memory_of(const Scenario& scenario) {
 
 }  // namespace
 
-Simulation::Simulation(const Document& document, Scenario scenario, const Catalogue& catalogue)
+Simulation::Simulation(const Document& document, Scenario scenario, const Catalogue& catalogue,
+                       bool strict)
     : scenario_(std::move(scenario)),
       fingerprint_(mote::fingerprint(scenario_, catalogue)),
+      strict_(strict),
       bytes_needed_(memory_of(scenario_)),
       plan_(scenario_.time.step, *scenario_.output.every, scenario_.time.end) {
   scenario_.threads = omp_get_max_threads();
@@ -110,37 +113,65 @@ void Simulation::refuse_what_does_not_fit() const {
 }
 
 void Simulation::build(const Document& document, const Catalogue& catalogue) {
-  const NeighbourRule rule = scenario_.differential_operator.made->neighbour_rule();
-  if (rule.adjacent == 0 && rule.reach() <= 1)
-    throw InputError("operator.smoothing_length",
-                     fmt::format("{} reaches {:.3g} spacings at this smoothing length: it has no "
-                                 "neighbours",
-                                 scenario_.differential_operator.name(), rule.reach()));
-  if (scenario_.differential_operator.made->needs_circulation())
-    throw InputError("operator",
-                     fmt::format("{} needs points with circulation, which the model {} has not",
-                                 scenario_.differential_operator.name(), scenario_.model_type));
-  if (rule.adjacent > *scenario_.domain.extension)
-    throw InputError("domain.extension",
-                     fmt::format("{} needs {} cell{} beyond each end, and 'extension' is {}",
-                                 scenario_.differential_operator.name(), rule.adjacent,
-                                 rule.adjacent == 1 ? "" : "s", *scenario_.domain.extension));
-  if (static_cast<double>(*scenario_.domain.extension) < std::floor(rule.reach()))
-    warnings_.push_back(fmt::format(
-        "{}: warning: the region goes on for {} cells beyond its ends, but the operator reaches "
-        "{:.3g}: derivatives near the ends miss neighbours",
-        document.locate("domain.extension"), *scenario_.domain.extension, rule.reach()));
+  refuse_operators_that_do_not_fit(document);
   LineSetup setup = line_setup(scenario_, catalogue);
   setup.differential_operator = on_a_line(std::move(scenario_.differential_operator.made));
   model_ = scenario_.model->make(std::move(setup));
   integrator_ = entry_named(catalogue.integrators, scenario_.time.integrator).make();
   conserved_at_start_ = model_->conserved();
-  const StepLimit limit = model_->step_limit();
-  if (scenario_.time.step > limit.step)
-    throw InputError("time.step",
-                     fmt::format("the step {} is beyond the stability limit {:.4g}: {}",
-                                 scenario_.time.step, limit.step, limit.reason));
+  limit_step(document);
   make_exact(catalogue);
+}
+
+void Simulation::refuse_operators_that_do_not_fit(const Document& document) {
+  const AnyOperator& made = *scenario_.differential_operator.made;
+  const std::string name = scenario_.differential_operator.name();
+  const std::int64_t extension = *scenario_.domain.extension;
+  const NeighbourRule rule = made.neighbour_rule();
+  if (rule.adjacent == 0 && rule.reach() <= 1)
+    throw InputError("operator.smoothing_length",
+                     fmt::format("{} reaches {:.3g} spacings at this smoothing length: it has no "
+                                 "neighbours",
+                                 name, rule.reach()));
+  if (made.needs_circulation())
+    throw InputError("operator",
+                     fmt::format("{} needs points with circulation, which the model {} has not",
+                                 name, scenario_.model_type));
+  if (rule.adjacent > extension)
+    throw InputError("domain.extension",
+                     fmt::format("{} needs {} cell{} beyond each end, and 'extension' is {}", name,
+                                 rule.adjacent, rule.adjacent == 1 ? "" : "s", extension));
+  if (static_cast<double>(extension) < std::floor(rule.reach()))
+    warn(document.locate("domain.extension"),
+         fmt::format("the region goes on for {} cells beyond its ends, but the operator reaches "
+                     "{:.3g}: derivatives near the ends miss neighbours",
+                     extension, rule.reach()));
+}
+
+void Simulation::warn(const std::string& where, const std::string& message) {
+  if (strict_) throw LocatedError(where, message + " (a warning without --strict)");
+  warnings_.push_back(fmt::format("{}: warning: {}", where, message));
+}
+
+void Simulation::limit_step(const Document& document) {
+  for (const StepLimit& limit : model_->step_limits()) {
+    if (scenario_.time.step <= limit.step) continue;
+    const std::string message = fmt::format("the step {} is beyond the stability limit {:.4g}: {}",
+                                            scenario_.time.step, limit.step, limit.reason);
+    if (!limit.advisory) throw InputError("time.step", message);
+    warn(document.locate("time.step"), message);
+  }
+}
+
+void Simulation::advance(double time, double step) {
+  model_->begin_step(time, step);
+  if (strict_ && !model_->warnings().empty())
+    throw NumericalFailure(model_->warnings().front(), {0},
+                           "--strict makes an error of this warning");
+  integrator_->advance_one_step(*model_, time, step);
+  model_->end_step(time, step);
+  model_->update_dependent_fields();
+  model_->inspect();
 }
 
 void Simulation::make_exact(const Catalogue& catalogue) {

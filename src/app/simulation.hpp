@@ -18,7 +18,8 @@ class Simulation {
  public:
   /// Throws LocatedError for input that shows itself as wrong only now: an expression without a
   /// value at a particle, an exact solution that ends before the run does, ...
-  Simulation(const Document& document, Scenario scenario, const Catalogue& catalogue);
+  /// With `strict` everything that would be a warning is an error.
+  Simulation(const Document& document, Scenario scenario, const Catalogue& catalogue, bool strict);
 
   const Scenario& scenario() const { return scenario_; }
   Model& model() { return *model_; }
@@ -34,16 +35,23 @@ class Simulation {
   const std::vector<Conserved>& conserved_at_start() const { return conserved_at_start_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
 
+  /// One step of the integrator, and what the model does around it. Throws NumericalFailure.
+  void advance(double time, double step);
+
   /// Puts the model into the state of a snapshot. Throws InputError if it is of another scenario.
   void restore(const Snapshot& snapshot);
 
  private:
   void refuse_what_does_not_fit() const;
   void build(const Document& document, const Catalogue& catalogue);
+  void refuse_operators_that_do_not_fit(const Document& document);
+  void limit_step(const Document& document);
+  void warn(const std::string& where, const std::string& message);
   void make_exact(const Catalogue& catalogue);
 
   Scenario scenario_;
   std::string fingerprint_, resolved_yaml_;
+  bool strict_;
   double bytes_needed_;
   TimePlan plan_;
   std::unique_ptr<Model> model_;

@@ -13,6 +13,7 @@
 #include "mote/operators/differential/differential_operator.hpp"
 #include "mote/options/description.hpp"
 #include "mote/particles/cloud.hpp"
+#include "mote/particles/extension.hpp"
 #include "mote/particles/layouts.hpp"
 
 namespace mote {
@@ -35,10 +36,12 @@ struct PairWork {
   double mean_neighbours = 0;    ///< a particle, in the last lists
 };
 
-/// A length of step that a run must not exceed, infinite if there is none, and what sets it.
+/// A length of step that a run must not exceed, infinite if there is none, and what sets it. An
+/// advisory one a run may exceed at its own risk.
 struct StepLimit {
   double step;
   std::string reason;
+  bool advisory = false;
 };
 
 using Parameters = std::map<std::string, double>;
@@ -50,6 +53,11 @@ class Model : public System {
   virtual const Cloud& cloud() const = 0;
   virtual Frame frame() const = 0;
 
+  /// What changes the state beside the rates, in halves before and after a step of the integrator
+  /// (Strang splitting).
+  virtual void begin_step(double /*time*/, double /*step*/) {}
+  virtual void end_step(double /*time*/, double /*step*/) {}
+
   /// Brings fields that follow from the others up to date, after a step or a restart.
   virtual void update_dependent_fields() = 0;
 
@@ -58,8 +66,11 @@ class Model : public System {
 
   virtual std::vector<Conserved> conserved() const = 0;
 
-  /// The longest step that makes sense from this state on.
-  virtual StepLimit step_limit() const = 0;
+  /// The longest steps that make sense from this state on.
+  virtual std::vector<StepLimit> step_limits() = 0;
+
+  /// What went wrong in the steps so far without stopping them.
+  virtual std::vector<std::string> warnings() const { return {}; }
 
   /// What the model did with the operator, and what a reader of the report should know.
   virtual PairWork pair_work() const = 0;
@@ -76,6 +87,7 @@ using InitialValue = std::function<double(std::string_view field, double positio
 struct LineSetup {
   double lower = 0, upper = 1;
   Cells cells;
+  LineEnds ends = LineEnds::zero_gradient;
   std::int64_t extension = 0;  ///< cells beyond each end
   InitialValue initial;
   std::unique_ptr<DifferentialOperator<1>> differential_operator;

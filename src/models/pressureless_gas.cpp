@@ -22,7 +22,7 @@ Frame frame_of(FrameChoice choice, const NeighbourRule& rule) {
 bool by_continuity(const PressurelessGasOptions& options, Frame frame) {
   if (frame == Frame::eulerian) return true;
   if (options.density == DensityForm::automatic)
-    return options.gravity_form == GravityForm::potential;
+    return options.gravity_form == GravityForm::potential || options.artificial_viscosity > 0;
   return options.density == DensityForm::continuity;
 }
 
@@ -33,15 +33,31 @@ PressurelessGas::PressurelessGas(const PressurelessGasOptions& options, LineSetu
       frame_(frame_of(options.frame, setup.differential_operator->neighbour_rule())),
       continuity_(by_continuity(options, frame_)),
       operator_(std::move(setup.differential_operator)),
-      extension_(static_cast<Index>(setup.extension)),
+      extension_(static_cast<Index>(setup.extension), setup.ends, setup.lower, setup.upper),
       lower_(setup.lower),
+      upper_(setup.upper),
       cloud_(1, static_cast<Index>(setup.cells.centre.size())) {
-  if (frame_ == Frame::eulerian && options.density == DensityForm::mass_over_volume)
+  refuse_what_does_not_go_together(setup);
+  fill_cloud(setup);
+  if (options.smoothed_density) smooth_density();
+  name_evolving_values();
+}
+
+void PressurelessGas::refuse_what_does_not_go_together(const LineSetup& setup) const {
+  const bool by_mass = options_.density == DensityForm::mass_over_volume;
+  if (frame_ == Frame::eulerian && by_mass)
     throw InputError("model.density",
                      "points that stand still keep their volume, so mass_over_volume cannot give "
                      "their density; take continuity, or frame: lagrangian");
-  fill_cloud(setup);
-  name_evolving_values();
+  if (options_.artificial_viscosity > 0 && by_mass)
+    throw InputError("model.artificial_viscosity",
+                     "artificial viscosity (82) changes the density, which mass_over_volume takes "
+                     "from masses that stay; take density: continuity");
+  if (setup.ends == LineEnds::wall && setup.extension > cloud_.count())
+    throw InputError("domain.extension",
+                     fmt::format("a wall mirrors as many particles as there are cells beyond it, "
+                                 "{}, and there are only {}",
+                                 setup.extension, cloud_.count()));
 }
 
 void PressurelessGas::fill_cloud(const LineSetup& setup) {
@@ -74,26 +90,44 @@ void PressurelessGas::name_evolving_values() {
                      &derivative_})
     rate->resize(count);
   kicked_.push_back({velocity_, acceleration_});
-  if (uses_edges()) {
+  if (has_edges()) {
     drifted_.push_back({position_, velocity_});
     drifted_.push_back({length_, length_rate_});
-    kicked_.push_back({length_rate_, length_acceleration_});
+    if (edges_fall_freely()) kicked_.push_back({length_rate_, length_acceleration_});
   }
   if (continuity_) drifted_.push_back({density_, density_rate_});
 }
 
-bool PressurelessGas::uses_operator() const {
+bool PressurelessGas::is_explicit() const {
+  return options_.viscosity > 0 && options_.viscosity_scheme == ViscosityScheme::explicit_rates;
+}
+
+bool PressurelessGas::rates_use_operator() const {
   const bool gradient_of_potential =
       options_.gravity > 0 && options_.gravity_form == GravityForm::potential;
-  return continuity_ || gradient_of_potential || options_.viscosity > 0;
+  return continuity_ || gradient_of_potential || is_explicit();
+}
+
+bool PressurelessGas::edges_fall_freely() const {
+  return has_edges() && options_.viscosity == 0 && extension_.ends() == LineEnds::zero_gradient &&
+         options_.gravity_form == GravityForm::sheets;
 }
 
 void PressurelessGas::prepare(double) {
   update_dependent_fields();
-  if (!uses_operator()) return;
-  extension_.extend({position_, mass_, density_, length_}, points_);
+  if (rates_use_operator()) prepare_operator();
+}
+
+/// Prepares the operator unless the points are as they were the last time.
+void PressurelessGas::prepare_operator() {
+  extension_.extend({position_, mass_, density_, length_}, fresh_points_);
+  if (fresh_points_.position == points_.position && fresh_points_.length == points_.length &&
+      fresh_points_.mass == points_.mass && fresh_points_.density == points_.density)
+    return;
+  std::swap(points_, fresh_points_);
   search_.find(points_, operator_->neighbour_rule(), lists_);
   operator_->prepare(points_, lists_);
+  diffusion_is_current_ = false;
   work_.pairs += lists_.pairs();
   work_.evaluations += 1;
   work_.mean_neighbours = static_cast<double>(lists_.pairs()) / cloud_.count();
@@ -109,36 +143,45 @@ void PressurelessGas::update_dependent_fields() {
   }
 }
 
-std::span<const double> PressurelessGas::extended(std::span<const double> values,
-                                                  std::vector<double>& room) {
-  room.resize(static_cast<std::size_t>(points_.size()));
-  extension_.fill(values, room);
-  return room;
+std::span<const double> PressurelessGas::extended(std::span<const double> values, Parity parity) {
+  field_.resize(static_cast<std::size_t>(points_.size()));
+  extension_.fill(values, field_, parity);
+  return field_;
 }
 
 void PressurelessGas::update_drift_rates(double) {
+  if (has_edges() && !edges_fall_freely()) update_length_rates();
   if (!continuity_) return;
   if (frame_ == Frame::lagrangian) {
-    divergence<1>(*operator_, lists_, extended(velocity_, field_), derivative_);
+    divergence<1>(*operator_, lists_, extended(velocity_, Parity::odd), derivative_);
     for (std::size_t i = 0; i < density_.size(); ++i)
       density_rate_[i] = -density_[i] * derivative_[i];  // (73c)
-    return;
+  } else {
+    for (std::size_t i = 0; i < density_.size(); ++i) density_rate_[i] = density_[i] * velocity_[i];
+    divergence<1>(*operator_, lists_, extended(density_rate_, Parity::odd), derivative_);
+    for (std::size_t i = 0; i < density_.size(); ++i) density_rate_[i] = -derivative_[i];  // (72a)
   }
-  for (std::size_t i = 0; i < density_.size(); ++i) density_rate_[i] = density_[i] * velocity_[i];
-  divergence<1>(*operator_, lists_, extended(density_rate_, field_), derivative_);
-  for (std::size_t i = 0; i < density_.size(); ++i) density_rate_[i] = -derivative_[i];  // (72a)
+  hold_ends(density_rate_);
 }
 
 void PressurelessGas::update_kick_rates(double) {
   std::ranges::fill(operator_acceleration_, 0.0);
   add_gravity_of_potential();
-  add_viscosity();
+  if (is_explicit()) add_viscosity();
   add_advection();
   const bool sheets = options_.gravity_form == GravityForm::sheets;
   sheet_acceleration(mass_, sheets ? options_.gravity : 0, acceleration_);
   for (std::size_t i = 0; i < acceleration_.size(); ++i)
     acceleration_[i] += operator_acceleration_[i];
-  if (uses_edges()) update_edge_rates();
+  hold_ends(acceleration_);
+  if (!edges_fall_freely()) return;
+  for (std::size_t i = 0; i < mass_.size(); ++i)
+    length_acceleration_[i] = -4 * std::numbers::pi * options_.gravity * mass_[i];
+}
+
+/// (89): the end particles keep what they have.
+void PressurelessGas::hold_ends(std::span<double> rates) const {
+  if (extension_.ends() == LineEnds::held) rates.front() = rates.back() = 0;
 }
 
 /// -Pi' by the operator's gradient of the potential, as printed in (73b).
@@ -155,8 +198,7 @@ void PressurelessGas::add_gravity_of_potential() {
 
 /// nu u'' of (81b).
 void PressurelessGas::add_viscosity() {
-  if (options_.viscosity == 0) return;
-  laplacian<1>(*operator_, lists_, extended(velocity_, field_), derivative_);
+  laplacian<1>(*operator_, lists_, extended(velocity_, Parity::odd), derivative_);
   for (std::size_t i = 0; i < derivative_.size(); ++i)
     operator_acceleration_[i] += options_.viscosity * derivative_[i];
 }
@@ -164,21 +206,21 @@ void PressurelessGas::add_viscosity() {
 /// -u u' of (72b), for points that stand still.
 void PressurelessGas::add_advection() {
   if (frame_ != Frame::eulerian) return;
-  gradient<1>(*operator_, lists_, extended(velocity_, field_), derivative_);
+  gradient<1>(*operator_, lists_, extended(velocity_, Parity::odd), derivative_);
   for (std::size_t i = 0; i < derivative_.size(); ++i)
     operator_acceleration_[i] -= velocity_[i] * derivative_[i];
 }
 
-/// The edges of cell i fall apart at -4 pi G m_i in the gravity of sheets, and follow the mean of
-/// the neighbouring particles under the other forces, (74a).
-void PressurelessGas::update_edge_rates() {
-  const double g = options_.gravity_form == GravityForm::sheets ? options_.gravity : 0;
-  const std::size_t count = length_acceleration_.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const double above = operator_acceleration_[std::min(i + 1, count - 1)];
-    const double below = operator_acceleration_[i > 0 ? i - 1 : 0];
-    length_acceleration_[i] = -4 * std::numbers::pi * g * mass_[i] + 0.5 * (above - below);
-  }
+/// (74a): every edge moves with the mean of its two particles; a wall stands, and a free end moves
+/// with its particle.
+void PressurelessGas::update_length_rates() {
+  const std::size_t last = velocity_.size() - 1;
+  const bool wall = extension_.ends() == LineEnds::wall;
+  const double lower_end = wall ? -velocity_[0] : velocity_[0];
+  const double upper_end = wall ? -velocity_[last] : velocity_[last];
+  for (std::size_t i = 0; i <= last; ++i)
+    length_rate_[i] =
+        0.5 * ((i < last ? velocity_[i + 1] : upper_end) - (i > 0 ? velocity_[i - 1] : lower_end));
 }
 
 }  // namespace mote

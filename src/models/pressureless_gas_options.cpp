@@ -20,11 +20,24 @@ constexpr Word<FrameChoice> frames[] = {
     {FrameChoice::lagrangian, "lagrangian", "points move with the gas, (73)"},
     {FrameChoice::eulerian, "eulerian", "points stand still, (72)"}};
 
+constexpr Word<ViscosityScheme> viscosity_schemes[] = {
+    {ViscosityScheme::implicit, "implicit",
+     "a sparse solve with the operator's own weights: stable at any step"},
+    {ViscosityScheme::substepped, "substepped", "as many explicit sub-steps as stability asks for"},
+    {ViscosityScheme::explicit_rates, "explicit", "as printed: one rate among the others"}};
+
 }  // namespace
 
 void PressurelessGasOptions::describe(Description& description) {
   description.number({"gravity", "gravitational constant G"}, gravity, not_negative);
   description.number({"viscosity", "kinematic viscosity nu"}, viscosity, not_negative);
+  describe_words(description, {"viscosity_scheme", "how viscosity goes on in time"},
+                 viscosity_scheme, viscosity_schemes);
+  description.number({"artificial_viscosity", "mu of (82), added to density and velocity a step"},
+                     artificial_viscosity, not_negative);
+  description.flag(
+      {"smoothed_density", "whether to smooth the initial density over five points, (86)"},
+      smoothed_density);
   describe_words(description, {"gravity_form", "how gravity is found"}, gravity_form,
                  gravity_forms);
   describe_words(description, {"density", "how density is found"}, density, density_forms);

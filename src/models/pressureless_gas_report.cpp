@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <string>
 
@@ -10,21 +11,24 @@
 #include "mote/sums/sheets.hpp"
 
 namespace mote {
-namespace {
 
-std::string cause_of_crossing(const PressurelessGasOptions& options) {
-  if (options.gravity_form == GravityForm::potential)
+std::string PressurelessGas::cause_of_crossing() const {
+  if (options_.gravity_form == GravityForm::potential && options_.gravity > 0)
     return "the operator's gradient of the potential is wrong where the density jumps (the printed "
            "SPH form divides by the receiver's density) and pulls neighbouring sheets together; "
            "gravity_form: sheets is exact";
-  if (options.viscosity > 0)
-    return "the printed Laplacian is not exact for linear velocities, so zig-zag motions grow "
-           "until neighbours meet";
+  if (course_.passed())
+    return fmt::format(
+        "the step was beyond the stability limit of explicit viscosity, {:.4g} at "
+        "t = {:.6g}; viscosity_scheme: implicit has none",
+        course_.passed_limit, course_.passed_at);
+  if (options_.viscosity > 0)
+    return "the operator's Laplacian is not exact for linear velocities (printed SPH and MPS on "
+           "points of uneven spacing), so neighbours are pushed together; morris, corrected_sph, "
+           "least_squares and finite_difference are made for this";
   return "the gas has fallen together, and a pressureless gas has no solution beyond this time, so "
          "end the run earlier; or the step is too long for these velocities";
 }
-
-}  // namespace
 
 void PressurelessGas::inspect() const {
   for (const Field& field : cloud_.fields())
@@ -37,27 +41,35 @@ void PressurelessGas::inspect() const {
     if (!(position_[i] < position_[i + 1]))
       throw NumericalFailure(
           fmt::format("particles {} and {} crossed at x = {:.6g}", i, i + 1, position_[i]),
-          {i, i + 1}, cause_of_crossing(options_));
+          {i, i + 1}, cause_of_crossing());
+  for (const Index i : {Index{0}, cloud_.count() - 1})
+    if (extension_.ends() == LineEnds::wall && !(position_[i] > lower_ && position_[i] < upper_))
+      throw NumericalFailure(
+          fmt::format("particle {} passed the wall, to x = {:.6g}", i, position_[i]), {i},
+          cause_of_crossing());
   for (Index i = 0; i < cloud_.count(); ++i)
     if (!(length_[i] > 0))
       throw NumericalFailure(
           fmt::format("the cell of particle {} collapsed at x = {:.6g}", i, position_[i]), {i},
-          cause_of_crossing(options_));
+          cause_of_crossing());
 }
 
-StepLimit PressurelessGas::step_limit() const {
+std::vector<StepLimit> PressurelessGas::step_limits() {
   const double densest = std::ranges::max(density_), shortest = std::ranges::min(length_);
   double fastest = 0;
   for (const double u : velocity_) fastest = std::max(fastest, std::abs(u));
   // rho0/(1 - 2 pi G rho0 t^2) of the exact solution has no value after this time.
-  const double fall = 1 / std::sqrt(2 * std::numbers::pi * options_.gravity * densest);
-  StepLimit limit{fall, "the time in which the densest gas falls together"};
-  const double diffusion = shortest * shortest / (2 * options_.viscosity);
-  if (diffusion < limit.step) limit = {diffusion, "shortest cell^2/(2 viscosity)"};
-  const double advection = shortest / fastest;
-  if (frame_ == Frame::eulerian && advection < limit.step)
-    limit = {advection, "the time in which the gas passes the shortest cell"};
-  return limit;
+  std::vector<StepLimit> limits{{1 / std::sqrt(2 * std::numbers::pi * options_.gravity * densest),
+                                 "the time in which the densest gas falls together"}};
+  if (frame_ == Frame::eulerian)
+    limits.push_back({shortest / fastest, "the time in which the gas passes the shortest cell"});
+  if (is_explicit())
+    limits.push_back(
+        {explicit_limit(),
+         "1/(viscosity times the largest sum of the Laplacian's weights), beyond which "
+         "explicit viscosity grows without bound",
+         true});
+  return limits;
 }
 
 std::vector<Conserved> PressurelessGas::conserved() const {
@@ -75,7 +87,10 @@ std::vector<Conserved> PressurelessGas::conserved() const {
 }
 
 Parameters PressurelessGas::parameters() const {
-  return {{"gravity", options_.gravity}, {"viscosity", options_.viscosity}, {"lower", lower_}};
+  return {{"gravity", options_.gravity},
+          {"viscosity", options_.viscosity},
+          {"lower", lower_},
+          {"upper", upper_}};
 }
 
 std::vector<std::string> PressurelessGas::remarks() const {
@@ -89,14 +104,37 @@ std::vector<std::string> PressurelessGas::remarks() const {
                                    : "Density is each cell's mass over its length.");
   if (!uses_operator())
     remarks.emplace_back("So nothing in this run needs a derivative: the operator was not used.");
-  if (options_.viscosity > 0)
-    remarks.emplace_back("Viscosity turns motion into heat, which the energy here leaves out.");
+  std::ranges::copy(remarks_on_viscosity(), std::back_inserter(remarks));
+  if (!smoothing_.empty()) remarks.push_back(smoothing_);
   const double lowest = std::ranges::min(density_);
   if (lowest < 0)
     remarks.push_back(
         fmt::format("The density is negative in places (lowest {:.3g}): central differences "
                     "oscillate where it jumps.",
                     lowest));
+  return remarks;
+}
+
+std::vector<std::string> PressurelessGas::remarks_on_viscosity() const {
+  std::vector<std::string> remarks;
+  if (options_.viscosity > 0)
+    remarks.emplace_back("Viscosity turns motion into heat, which the energy here leaves out.");
+  if (course_.substeps > 0)
+    remarks.push_back(
+        fmt::format("Viscosity took {} sub-steps in {} steps, {} at most in half a step.",
+                    course_.substeps, course_.steps, course_.most_substeps));
+  if (options_.artificial_viscosity > 0) {
+    const double equivalent = options_.artificial_viscosity / course_.step;
+    remarks.push_back(fmt::format(
+        "Artificial viscosity (82), mu = {:.3g}, was added in each of {} steps: as much as a "
+        "kinematic viscosity of {:.3g}{}. It moved {:.3g} of mass (sum of |change of density| dx) "
+        "and {:.3g} of velocity (sum of |change| dx).",
+        options_.artificial_viscosity, course_.steps, equivalent,
+        options_.viscosity > 0
+            ? fmt::format(", {:.3g} % of the model's own", 100 * equivalent / options_.viscosity)
+            : "",
+        course_.mass_moved, course_.velocity_moved));
+  }
   return remarks;
 }
 

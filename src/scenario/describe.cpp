@@ -6,11 +6,15 @@
 namespace mote {
 namespace {
 
+constexpr Word<LineEnds> boundaries[] = {
+    {LineEnds::zero_gradient, "zero_gradient", "cells like the end cell, (76), (84), (87)"},
+    {LineEnds::held, "held", "the same, and the end particles keep what they start with, (89)"},
+    {LineEnds::wall, "wall", "the gas in a mirror: nothing passes"}};
+
 void describe_domain(Description& d, Scenario::Domain& domain) {
   d.numbers({"lower", "lower corner, one number a dimension", true}, domain.lower);
   d.numbers({"upper", "upper corner, one number a dimension", true}, domain.upper);
-  d.choice({"boundary", "what lies beyond the ends"}, domain.boundary,
-           {{"zero_gradient", "cells like the end cell, (76)"}});
+  describe_words(d, {"boundary", "what lies beyond the ends"}, domain.boundary, boundaries);
   d.count({"extension", "cells beyond each end (N_end_cor); default: the operator's reach"},
           domain.extension, {0, 1e6});
 }

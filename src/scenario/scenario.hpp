@@ -26,7 +26,7 @@ struct Scenario {
 
   struct Domain {
     std::vector<double> lower, upper;
-    std::string boundary = "zero_gradient";
+    LineEnds boundary = LineEnds::zero_gradient;
     std::optional<std::int64_t> extension;  ///< cells beyond each end
   } domain;
 

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <Eigen/SparseLU>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mote/operators/differential/differential_operator.hpp"
+#include "mote/particles/extension.hpp"
+
+namespace mote {
+
+/// Sums |l_ij| over the neighbours of each receiver of a prepared operator; the largest of them. An
+/// explicit step of du/dt = nu lap u is stable up to 1/(nu times this), by Gershgorin's circles;
+/// with three points that is the known dx^2/(2 nu). [1/length^2]
+double largest_row_sum(const DifferentialOperator<1>& op, const NeighbourLists& lists);
+
+/// Diffusion du/dt = nu lap u of a velocity on a line, over a time in which the points stand still.
+/// The Laplacian is the operator's own, as a sparse matrix in which the cells beyond the ends are
+/// the particles whose values they have. Held end particles keep theirs.
+class LineDiffusion {
+ public:
+  /// Takes the rows of a prepared operator, and forgets the former ones.
+  void assemble(const DifferentialOperator<1>& op, const NeighbourLists& lists,
+                const LineExtension& extension);
+
+  /// Over `amount` = nu times the time, by the L-stable method of order 2 with two implicit stages
+  /// (SDIRK2, Alexander 1977): stable at any amount. Throws NumericalFailure if the equations have
+  /// no solution.
+  void advance_implicitly(double amount, std::span<double> values);
+
+  /// The same in the fewest stable sub-steps of Heun's method, order 2. Returns their number.
+  std::int64_t advance_in_substeps(double amount, std::span<double> values) const;
+
+ private:
+  using Matrix = Eigen::SparseMatrix<double>;
+  using Vector = Eigen::VectorXd;
+
+  void factorise(double amount);
+
+  Matrix laplacian_;
+  double row_sum_ = 0;
+  // Particles on a line are numbered along it: the natural order fills in least.
+  Eigen::SparseLU<Matrix, Eigen::NaturalOrdering<int>> solver_;
+  double factorised_amount_ = 0;  ///< 0: none
+  std::vector<Eigen::Triplet<double>> entries_;
+};
+
+}  // namespace mote
