@@ -25,17 +25,20 @@ RunLoop::RunLoop(Simulation& simulation, OutputFolder& folder, Progress::Style s
 
 int RunLoop::go_on() {
   const auto clock_start = std::chrono::steady_clock::now();
-  std::string failure;
+  std::chrono::duration<double> wall{0};
+  const auto stop_clock = [&] { wall = std::chrono::steady_clock::now() - clock_start; };
+  Certificate certificate;
   try {
     for (std::int64_t frame = start_.frame + 1; frame <= simulation_.plan().frames(); ++frame)
       run_to(frame);
+    stop_clock();
+    certificate = certificate_of(simulation_, now_);
   } catch (const NumericalFailure& broken) {
-    failure = failure_message(broken.what(), broken.particles(), broken.cause());
+    stop_clock();
+    certificate = failed_certificate(
+        simulation_, now_, failure_message(broken.what(), broken.particles(), broken.cause()));
   }
   progress_.end();
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - clock_start;
-  Certificate certificate = failure.empty() ? certificate_of(simulation_, now_)
-                                            : failed_certificate(simulation_, now_, failure);
   certificate.wall_seconds = wall.count();
   certificate.steps_timed = now_.step - start_.step;
   certificate.threads = omp_get_max_threads();

@@ -36,8 +36,8 @@ std::unique_ptr<DifferentialOperator<1>> on_a_line(std::unique_ptr<AnyOperator> 
 }
 
 /// All that a model is made from but the operator.
-LineSetup line_setup(const Scenario& scenario, const Catalogue& catalogue) {
-  LineSetup setup;
+LineStart line_start(const Scenario& scenario, const Catalogue& catalogue) {
+  LineStart setup;
   setup.lower = scenario.domain.lower[0];
   setup.upper = scenario.domain.upper[0];
   setup.ends = scenario.domain.boundary;
@@ -56,20 +56,25 @@ LineSetup line_setup(const Scenario& scenario, const Catalogue& catalogue) {
   return setup;
 }
 
+/// The same with every cell in this many pieces.
+LineStart divided(LineStart start, int pieces) {
+  Cells fine;
+  for (std::size_t i = 0; i < start.cells.centre.size(); ++i)
+    for (int k = 0; k < pieces; ++k) {
+      const double part = (k + 0.5) / pieces - 0.5;
+      fine.centre.push_back(start.cells.centre[i] + part * start.cells.length[i]);
+      fine.length.push_back(start.cells.length[i] / pieces);
+    }
+  start.cells = std::move(fine);
+  return start;
+}
+
 /// The start of the run on finer cells. Standing points see the gas between the particles too, and
 /// the particles' own cells would be too coarse a measure of that.
 std::unique_ptr<Model> finely_divided(const Scenario& scenario, const Catalogue& catalogue) {
-  LineSetup setup = line_setup(scenario, catalogue);
-  const auto count = static_cast<int>(setup.cells.centre.size());
-  const int pieces = std::clamp(1'000'000 / count, 1, 50);
-  Cells fine;
-  for (int i = 0; i < count; ++i)
-    for (int k = 0; k < pieces; ++k) {
-      const double part = (k + 0.5) / pieces - 0.5;
-      fine.centre.push_back(setup.cells.centre[i] + part * setup.cells.length[i]);
-      fine.length.push_back(setup.cells.length[i] / pieces);
-    }
-  setup.cells = std::move(fine);
+  LineStart start = line_start(scenario, catalogue);
+  const int pieces = std::clamp(1'000'000 / static_cast<int>(start.cells.centre.size()), 1, 50);
+  LineSetup setup{divided(std::move(start), pieces)};
   setup.differential_operator = on_a_line(catalogue.make_operator(
       scenario.differential_operator.family, scenario.differential_operator.member, 1));
   return scenario.model->make(std::move(setup));
@@ -114,7 +119,7 @@ void Simulation::refuse_what_does_not_fit() const {
 
 void Simulation::build(const Document& document, const Catalogue& catalogue) {
   refuse_operators_that_do_not_fit(document);
-  LineSetup setup = line_setup(scenario_, catalogue);
+  LineSetup setup{line_start(scenario_, catalogue)};
   setup.differential_operator = on_a_line(std::move(scenario_.differential_operator.made));
   model_ = scenario_.model->make(std::move(setup));
   integrator_ = entry_named(catalogue.integrators, scenario_.time.integrator).make();
@@ -186,7 +191,9 @@ void Simulation::make_exact(const Catalogue& catalogue) {
                        "the section 'eulerian'");
   const std::unique_ptr<Model> fine = lagrangian ? nullptr : finely_divided(scenario_, catalogue);
   const Model& start = lagrangian ? *model_ : *fine;
-  exact_ = solution.make({start.cloud(), start.parameters(), initial_value(scenario_)});
+  const auto refined = [recipe = scenario_.model.get(), start = line_start(scenario_, catalogue)](
+                           int pieces) { return recipe->make_reference({divided(start, pieces)}); };
+  exact_ = solution.make({start.cloud(), start.parameters(), initial_value(scenario_), refined});
   if (scenario_.time.end >= exact_->valid_until())
     throw InputError("time.end",
                      fmt::format("the exact solution {} ends at t = {:.6g}, before the run does "

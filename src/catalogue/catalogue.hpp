@@ -48,6 +48,8 @@ struct ExactSetup {
   const Cloud& initial;
   Parameters parameters;
   InitialValue start;
+  /// The model's reference form with every cell in this many pieces; null if it has none.
+  std::function<std::unique_ptr<Model>(int pieces)> refined;
 };
 
 struct ExactEntry : Choice {

@@ -1,5 +1,6 @@
 #include "mote/catalogue/exact.hpp"
 
+#include "mote/catalogue/refined.hpp"
 #include "mote/exact/gravitating_sheets.hpp"
 #include "mote/particles/failure.hpp"
 
@@ -9,7 +10,7 @@ namespace {
 std::vector<double> copy(std::span<const double> values) { return {values.begin(), values.end()}; }
 
 std::unique_ptr<ExactSolution> sheets_from(const ExactSetup& setup) {
-  const auto& [initial, parameters, start] = setup;
+  const auto& [initial, parameters, start, refined] = setup;
   if (!parameters.contains("gravity") || !initial.has("length_rate"))
     throw InputError("check.against", "gravitating_sheets solves the model pressureless_gas alone");
   if (parameters.at("viscosity") != 0)
@@ -20,10 +21,18 @@ std::unique_ptr<ExactSolution> sheets_from(const ExactSetup& setup) {
                  copy(initial.values("mass")), parameters.at("lower"), parameters.at("gravity")});
 }
 
+std::unique_ptr<ExactSolution> refined_from(const ExactSetup& setup) {
+  const std::unique_ptr<Model> unrefined = setup.refined(1);
+  if (unrefined == nullptr)
+    throw InputError("check.against", "this model has no reference on refined cells");
+  return std::make_unique<Refined>(setup.refined, unrefined->cloud().count());
+}
+
 }  // namespace
 
 std::vector<ExactEntry> exact_entries() {
-  return {{choice_of<GravitatingSheets>(), {"position", "velocity", "density"}, sheets_from}};
+  return {{choice_of<GravitatingSheets>(), {"position", "velocity", "density"}, sheets_from},
+          {choice_of<Refined>(), {"position", "velocity", "density"}, refined_from}};
 }
 
 }  // namespace mote

@@ -83,13 +83,17 @@ class Model : public System {
 /// Value of an initial field, by name, at a place.
 using InitialValue = std::function<double(std::string_view field, double position)>;
 
-/// What a model on a line is made from.
-struct LineSetup {
+/// A domain on a line, its cells and what they start with.
+struct LineStart {
   double lower = 0, upper = 1;
   Cells cells;
   LineEnds ends = LineEnds::zero_gradient;
   std::int64_t extension = 0;  ///< cells beyond each end
   InitialValue initial;
+};
+
+/// What a model on a line is made from.
+struct LineSetup : LineStart {
   std::unique_ptr<DifferentialOperator<1>> differential_operator;
 };
 
@@ -110,6 +114,10 @@ class ModelRecipe {
   virtual std::vector<std::string> conserved_names() const = 0;
   /// Throws InputError for options that do not go together with the set-up.
   virtual std::unique_ptr<Model> make(LineSetup setup) const = 0;
+
+  /// The same equations for moving points, by the form that converges best, as a reference on fine
+  /// cells; the set-up's own operator is not used. Null if the model has none.
+  virtual std::unique_ptr<Model> make_reference(LineSetup /*setup*/) const { return nullptr; }
 };
 
 }  // namespace mote

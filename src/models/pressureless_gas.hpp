@@ -139,6 +139,7 @@ class PressurelessGasRecipe final : public ModelRecipe {
   void describe(Description& description) override { options.describe(description); }
   std::vector<InitialField> initial_fields() const override;
   std::unique_ptr<Model> make(LineSetup setup) const override;
+  std::unique_ptr<Model> make_reference(LineSetup setup) const override;
   std::vector<std::string> conserved_names() const override {
     return {"mass", "momentum", "energy"};
   }

@@ -1,4 +1,5 @@
 #include "mote/models/pressureless_gas.hpp"
+#include "mote/operators/differential/finite_difference.hpp"
 
 namespace mote {
 namespace {
@@ -50,6 +51,18 @@ std::vector<InitialField> PressurelessGasRecipe::initial_fields() const {
 
 std::unique_ptr<Model> PressurelessGasRecipe::make(LineSetup setup) const {
   return std::make_unique<PressurelessGas>(options, std::move(setup));
+}
+
+/// Sheets for gravity, masses for densities, and three points for the viscosity.
+std::unique_ptr<Model> PressurelessGasRecipe::make_reference(LineSetup setup) const {
+  setup.extension = 1;
+  setup.differential_operator = std::make_unique<FiniteDifference<1>>();
+  return std::make_unique<PressurelessGas>(
+      PressurelessGasOptions{.gravity = options.gravity,
+                             .viscosity = options.viscosity,
+                             .density = DensityForm::mass_over_volume,
+                             .frame = FrameChoice::lagrangian},
+      std::move(setup));
 }
 
 }  // namespace mote
