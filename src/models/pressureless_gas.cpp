@@ -40,7 +40,7 @@ PressurelessGas::PressurelessGas(const PressurelessGasOptions& options, LineSetu
   refuse_what_does_not_go_together(setup);
   fill_cloud(setup);
   if (options.smoothed_density) smooth_density();
-  name_evolving_values();
+  make_room();
 }
 
 void PressurelessGas::refuse_what_does_not_go_together(const LineSetup& setup) const {
@@ -84,11 +84,15 @@ void PressurelessGas::fill_cloud(const LineSetup& setup) {
   }
 }
 
-void PressurelessGas::name_evolving_values() {
+/// Names what the integrator moves, and makes all room that the rates need.
+void PressurelessGas::make_room() {
   const auto count = static_cast<std::size_t>(cloud_.count());
   for (auto* rate : {&acceleration_, &operator_acceleration_, &length_acceleration_, &density_rate_,
                      &derivative_})
     rate->resize(count);
+  const Index points = cloud_.count() + 2 * extension_.cells();
+  points_.resize(points, cloud_.count());
+  fresh_points_.resize(points, cloud_.count());
   kicked_.push_back({velocity_, acceleration_});
   if (has_edges()) {
     drifted_.push_back({position_, velocity_});

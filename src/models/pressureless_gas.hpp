@@ -71,7 +71,7 @@ class PressurelessGas final : public Model {
  private:
   void fill_cloud(const LineSetup& setup);
   void smooth_density();
-  void name_evolving_values();
+  void make_room();
   void refuse_what_does_not_go_together(const LineSetup& setup) const;
 
   bool is_explicit() const;

@@ -51,5 +51,24 @@ TEST(LineExtension, OfOneParticleReachesToBothSides) {
   EXPECT_EQ(points.position, (Numbers{2, 0, 4}));
 }
 
+TEST_F(LineExtensionOfThree, MirrorsTheLineAtWalls) {
+  const LineExtension wall(2, LineEnds::wall, 0.5, 6.5);
+  wall.extend(line, points);
+  EXPECT_EQ(points.position, (Numbers{1, 2.5, 5, 0, -1.5, 8, 10.5}));
+  EXPECT_EQ(points.mass, (Numbers{10, 20, 30, 10, 20, 30, 20}));
+  EXPECT_EQ(points.length, (Numbers{1, 2, 3, 1, 2, 3, 2}));
+  Numbers velocity(7);
+  wall.fill(Numbers{7, 8, 9}, velocity, Parity::odd);
+  EXPECT_EQ(velocity, (Numbers{7, 8, 9, -7, -8, -9, -8}));
+}
+
+TEST_F(LineExtensionOfThree, KeepsTheSignOfVelocitiesAtFreeAndHeldEnds) {
+  for (const LineEnds ends : {LineEnds::zero_gradient, LineEnds::held}) {
+    Numbers velocity(5);
+    LineExtension(1, ends, 0.5, 6.5).fill(Numbers{7, 8, 9}, velocity, Parity::odd);
+    EXPECT_EQ(velocity, (Numbers{7, 8, 9, 7, 9}));
+  }
+}
+
 }  // namespace
 }  // namespace mote::test

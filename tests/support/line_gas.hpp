@@ -22,6 +22,7 @@ struct LineGas {
   std::function<double(double x)> density;
   std::function<double(double x)> velocity = [](double) { return 0.0; };
   double upper = 4;
+  LineEnds ends = LineEnds::zero_gradient;
 
   friend void PrintTo(const LineGas& gas, std::ostream* out) { *out << gas.name; }
 };
@@ -34,6 +35,19 @@ inline LineGas trapezoid() {
 }
 inline LineGas rectangle() {
   return {"rectangle", 0.001, [](double x) { return x >= 1 && x <= 3 ? 1.5 : 0.5; }};
+}
+/// (88): two streams of unit density, 0.5 and -0.5 fast, with a slope between them.
+inline LineGas flat_slope_flat() {
+  return {"flat_slope_flat",
+          0,
+          [](double) { return 1.0; },
+          [](double x) { return std::clamp(1 - x / 2, -0.5, 0.5); },
+          4,
+          LineEnds::held};
+}
+/// (83): a cloud of exponential density.
+inline LineGas exponential() {
+  return {"exponential", 0.005, [](double x) { return std::exp(-std::pow((x - 2) / 0.8, 2)); }};
 }
 inline LineGas slab() {
   return {"slab", 0.0015, [](double x) { return x >= 0.35 * 4 && x < 0.75 * 4 ? 1.025 : 0.025; }};
@@ -50,6 +64,7 @@ PressurelessGas make_gas(const LineGas& gas, const PressurelessGasOptions& optio
   LineSetup setup;
   setup.upper = gas.upper;
   setup.cells = cells_of_line<Layout>(0, gas.upper, count, seed);
+  setup.ends = gas.ends;
   setup.extension = static_cast<std::int64_t>(std::ceil(op->neighbour_rule().reach()));
   setup.initial = [gas](std::string_view field, double x) {
     return field == "density" ? gas.density(x) : gas.velocity(x);
@@ -64,13 +79,20 @@ inline PressurelessGas make_gas(const LineGas& gas, const PressurelessGasOptions
   return make_gas<Regular>(gas, options, count, std::move(op));
 }
 
+/// One step, with what the model does before and after it.
+inline void step_once(PressurelessGas& gas, Integrator& integrator, double time, double step) {
+  gas.begin_step(time, step);
+  integrator.advance_one_step(gas, time, step);
+  gas.end_step(time, step);
+  gas.update_dependent_fields();
+}
+
 /// Takes `steps` equal steps from time 0 to `end`, with a snapshot after each tenth.
 inline void run(PressurelessGas& gas, Integrator& integrator, double end, int steps) {
   const double step = end / steps;
   for (int k = 0; k < steps; ++k) {
     if (k % std::max(1, steps / 10) == 0) integrator.forget_rounding();
-    integrator.advance_one_step(gas, k * step, step);
-    gas.update_dependent_fields();
+    step_once(gas, integrator, k * step, step);
   }
 }
 
