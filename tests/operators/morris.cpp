@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "mote/operators/kernels/wendland_c2.hpp"
+#include "mote/particles/failure.hpp"
 #include "paper_sums.hpp"
 #include "support/agreement.hpp"
 #include "support/altered_operator.hpp"
@@ -63,7 +64,7 @@ class LiteralMorris {
 };
 
 template <class Dimension>
-struct MorrisForm : testing::Test {
+struct MorrisOperator : testing::Test {
   static constexpr int D = Dimension::value;
   using Operator = Morris<D, WendlandC2<D>>;
 
@@ -85,9 +86,9 @@ struct MorrisForm : testing::Test {
         [&](const Row<D>& row, WideDerivatives& result) { literal.add(row, result); });
   }
 };
-TYPED_TEST_SUITE(MorrisForm, Dimensions, NameOfDimension);
+TYPED_TEST_SUITE(MorrisOperator, Dimensions, NameOfDimension);
 
-TYPED_TEST(MorrisForm, EqualsItsSumsForEveryPairLength) {
+TYPED_TEST(MorrisOperator, EqualsItsSumsForEveryPairLength) {
   for (const PairLength length : {PairLength::mean, PairLength::scatter, PairLength::gather}) {
     auto op = TestFixture::make_operator(length);
     const auto found = derivatives_of(op, this->points, this->scalar, this->vector);
@@ -95,7 +96,7 @@ TYPED_TEST(MorrisForm, EqualsItsSumsForEveryPairLength) {
   }
 }
 
-TYPED_TEST(MorrisForm, CheckNoticesOneAlteredWeight) {
+TYPED_TEST(MorrisOperator, CheckNoticesOneAlteredWeight) {
   constexpr int D = TestFixture::D;
   const auto op = TestFixture::make_operator();
   AlteredOperator<D, typename TestFixture::Operator> altered(op, 7, 1e-4);
@@ -104,7 +105,7 @@ TYPED_TEST(MorrisForm, CheckNoticesOneAlteredWeight) {
 }
 
 /// The Laplacian of r^2 about each receiver, and that of x.
-TYPED_TEST(MorrisForm, HasTheLaplacianOfASphereButNotThatOfAPlaneOnIrregularPoints) {
+TYPED_TEST(MorrisOperator, HasTheLaplacianOfASphereButNotThatOfAPlaneOnIrregularPoints) {
   constexpr int D = TestFixture::D;
   auto op = TestFixture::make_operator();
   const NeighbourLists lists = brute_force(this->points, op.neighbour_rule());
@@ -125,7 +126,7 @@ TYPED_TEST(MorrisForm, HasTheLaplacianOfASphereButNotThatOfAPlaneOnIrregularPoin
   EXPECT_GT(off_plane, 1e-2);
 }
 
-TEST(MorrisForm, RefusesAParticleWithoutNeighboursByName) {
+TEST(MorrisOperator, RefusesAParticleWithoutNeighboursByName) {
   auto points = jittered_cloud<2>({.side = 5, .jitter = 0.05, .variation = 0});
   points.position[4] = 1000;
   Morris<2, WendlandC2<2>> op;
