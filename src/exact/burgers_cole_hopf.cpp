@@ -1,0 +1,182 @@
+#include "mote/exact/burgers_cole_hopf.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/numeric/odeint.hpp>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace mote {
+namespace {
+
+double largest_of(const std::function<double(double)>& function, double lower, double upper) {
+  constexpr int samples = 1000;
+  double largest = 0;
+  for (int k = 0; k <= samples; ++k)
+    largest = std::fmax(largest, std::abs(function(lower + (upper - lower) * k / samples)));
+  return largest;
+}
+
+/// Waves of a start that grows come from everywhere after a while, and there is no solution then.
+void refuse_growth(const BurgersStart& start) {
+  const double width = start.upper - start.lower;
+  const auto around = [&](double widths) {
+    return largest_of(start.velocity, start.lower - widths * width, start.upper + widths * width);
+  };
+  if (around(1000) > 8 * around(8))
+    throw std::invalid_argument(
+        "the start velocity grows beyond the domain, and waves from there would rule in it; keep "
+        "it bounded, for example with clamp()");
+}
+
+const BurgersStart& checked(const BurgersStart& start) {
+  if (!(start.viscosity > 0) || !std::isfinite(start.viscosity))
+    throw std::invalid_argument("the viscosity must be positive");
+  if (!(start.lower < start.upper)) throw std::invalid_argument("the domain has no length");
+  if (start.particles.empty()) throw std::invalid_argument("there are no particles");
+  refuse_growth(start);
+  return start;
+}
+
+/// The rates of a particle in s = sqrt(t), or backwards in sqrt(end) - s.
+class Rates {
+ public:
+  using State = std::array<double, 2>;  ///< X over a length, and ln J
+
+  Rates(const ColeHopf& motion, double end, double length, bool backwards)
+      : motion_(motion), root_of_end_(std::sqrt(end)), length_(length), backwards_(backwards) {}
+
+  double root_of_end() const { return root_of_end_; }
+
+  void operator()(const State& state, State& rate, double way) const {
+    const double place = state[0] * length_;
+    const auto [velocity, stretching] =
+        backwards_ ? forward(place, root_of_end_ - way) : forward(place, way);
+    const double direction = backwards_ ? -1 : 1;
+    rate = {direction * velocity / length_, direction * stretching};
+  }
+
+ private:
+  State forward(double place, double root) const {
+    const double first = 1e-8 * root_of_end_;
+    if (root >= first) {
+      const auto [velocity, slope] = motion_(place, root * root);
+      return {2 * root * velocity, 2 * root * slope};
+    }
+    // At a jump 2 s u_x has a limit at s = 0; elsewhere this is 0 as it must be.
+    const double once = forward(place, first)[1], twice = forward(place, 2 * first)[1];
+    return {2 * root * motion_(place, first * first).velocity, 2 * once - twice};
+  }
+
+  const ColeHopf& motion_;
+  double root_of_end_, length_;
+  bool backwards_;
+};
+
+}  // namespace
+
+BurgersColeHopf::BurgersColeHopf(BurgersStart start)
+    : start_(checked(start)),
+      motion_(start_.velocity, start_.lower, start_.upper, start_.viscosity) {}
+
+std::string BurgersColeHopf::statement() const {
+  return fmt::format(
+      "burgers_cole_hopf is the velocity of Cole and Hopf on the whole line at the viscosity {:g}, "
+      "and the paths in it, to about 1e-12 of the largest values",
+      start_.viscosity);
+}
+
+double BurgersColeHopf::valid_until() const { return std::numeric_limits<double>::infinity(); }
+
+/// Prepares for paths through these places.
+void BurgersColeHopf::cover(std::span<const double> places, double time) const {
+  const auto [lower, upper] = std::ranges::minmax(places);
+  for (double last = -1; last != motion_.fastest();) {
+    last = motion_.fastest();
+    const double way = last * time;
+    motion_.cover(lower - way, upper + way, time);
+  }
+}
+
+BurgersColeHopf::Particle BurgersColeHopf::followed(double position, double time,
+                                                    bool backwards) const {
+  namespace odeint = boost::numeric::odeint;
+  constexpr double error = 1e-14;
+  const double length = start_.upper - start_.lower;
+  const Rates rates(motion_, time, length, backwards);
+  Rates::State state{position / length, 0};
+  const double way = rates.root_of_end();
+  odeint::integrate_adaptive(odeint::bulirsch_stoer<Rates::State>(error, error), rates, state, 0.0,
+                             way, 0.01 * way);
+  return {state[0] * length, state[1]};
+}
+
+std::vector<BurgersColeHopf::Particle> BurgersColeHopf::followed(std::span<const double> positions,
+                                                                 double time,
+                                                                 bool backwards) const {
+  std::vector<Particle> particles(positions.size());
+  std::vector<std::exception_ptr> failures(positions.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    try {
+      particles[i] = followed(positions[i], time, backwards);
+    } catch (...) {
+      failures[i] = std::current_exception();
+    }
+  }
+  for (const std::exception_ptr& failure : failures)
+    if (failure) std::rethrow_exception(failure);
+  return particles;
+}
+
+Table BurgersColeHopf::table_of(std::span<const double> labels, double time) const {
+  Table table{{"position", {}}, {"velocity", {}}, {"density", {}}};
+  std::vector<Particle> particles;
+  for (const double label : labels) particles.push_back({label, 0});
+  if (time > 0) {
+    cover(labels, time);
+    particles = followed(labels, time, false);
+  }
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const auto [place, log_stretch] = particles[i];
+    table[0].values.push_back(place);
+    table[1].values.push_back(time > 0 ? motion_(place, time).velocity : start_.velocity(place));
+    table[2].values.push_back(start_.density(labels[i]) * std::exp(-log_stretch));
+  }
+  return table;
+}
+
+Table BurgersColeHopf::of_particles(double time) const { return table_of(start_.particles, time); }
+
+Table BurgersColeHopf::at_places(std::span<const double> position, double time) const {
+  Table table{{"velocity", {}}, {"density", {}}};
+  std::vector<Particle> sources;
+  for (const double place : position) sources.push_back({place, 0});
+  if (time > 0 && !position.empty()) {
+    cover(position, time);
+    sources = followed(position, time, true);
+  }
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    const double place = position[i];
+    table[0].values.push_back(time > 0 ? motion_(place, time).velocity : start_.velocity(place));
+    // Followed backwards, the gas is stretched by the inverse.
+    table[1].values.push_back(start_.density(sources[i].position) *
+                              std::exp(sources[i].log_stretch));
+  }
+  return table;
+}
+
+Table BurgersColeHopf::curve(double time) const {
+  constexpr int intervals = 400;
+  std::vector<double> labels;
+  for (int k = 0; k <= intervals; ++k)
+    labels.push_back(std::lerp(start_.lower, start_.upper, static_cast<double>(k) / intervals));
+  return table_of(labels, time);
+}
+
+}  // namespace mote
