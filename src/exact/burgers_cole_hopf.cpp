@@ -78,6 +78,34 @@ class Rates {
   bool backwards_;
 };
 
+/// Middles between neighbours whose velocity or density differs by more than a fortieth of all.
+std::vector<double> middles_of_steps(const std::vector<double>& labels, const Table& table) {
+  constexpr double part = 1.0 / 40;
+  std::vector<char> is_step(labels.size(), 0);
+  for (const std::size_t column : {1, 2}) {
+    const std::vector<double>& values = table[column].values;
+    const auto [lowest, highest] = std::ranges::minmax(values);
+    for (std::size_t i = 1; i < values.size(); ++i)
+      if (std::abs(values[i] - values[i - 1]) > part * (highest - lowest)) is_step[i] = 1;
+  }
+  std::vector<double> middles;
+  for (std::size_t i = 1; i < labels.size(); ++i)
+    if (is_step[i]) middles.push_back(0.5 * (labels[i - 1] + labels[i]));
+  return middles;
+}
+
+/// The values of two lists in the order of their labels.
+std::vector<double> merged(const std::vector<double>& labels, const std::vector<double>& values,
+                           const std::vector<double>& more_labels,
+                           const std::vector<double>& more_values) {
+  std::vector<double> all;
+  for (std::size_t i = 0, k = 0; i < labels.size(); ++i) {
+    while (k < more_labels.size() && more_labels[k] < labels[i]) all.push_back(more_values[k++]);
+    all.push_back(values[i]);
+  }
+  return all;
+}
+
 }  // namespace
 
 BurgersColeHopf::BurgersColeHopf(BurgersStart start)
@@ -172,11 +200,20 @@ Table BurgersColeHopf::at_places(std::span<const double> position, double time) 
 }
 
 Table BurgersColeHopf::curve(double time) const {
-  constexpr int intervals = 400;
+  constexpr int intervals = 200, halvings = 12;
   std::vector<double> labels;
   for (int k = 0; k <= intervals; ++k)
     labels.push_back(std::lerp(start_.lower, start_.upper, static_cast<double>(k) / intervals));
-  return table_of(labels, time);
+  Table table = table_of(labels, time);
+  for (int k = 0; k < halvings; ++k) {
+    const std::vector<double> between = middles_of_steps(labels, table);
+    if (between.empty()) break;
+    const Table more = table_of(between, time);
+    for (std::size_t column = 0; column < table.size(); ++column)
+      table[column].values = merged(labels, table[column].values, between, more[column].values);
+    labels = merged(labels, labels, between, between);
+  }
+  return table;
 }
 
 }  // namespace mote

@@ -46,7 +46,7 @@ class BurgersColeHopf final : public ExactSolution {
   /// Velocity and density; for the density the place is followed back to its start. In a layer that
   /// compressed the gas C times the start is known to 1e-13 C only.
   Table at_places(std::span<const double> position, double time) const override;
-  /// Of particles that start at equal distances: they crowd where the profile is steep.
+  /// Of particles that start at equal distances, and of more where the profile is steep.
   Table curve(double time) const override;
 
  private:
