@@ -25,45 +25,38 @@ inline BigMotion differentiated(const std::function<Big(Big)>& velocity, double 
   return {velocity(x), (velocity(x + step) - velocity(x - step)) / (2 * step)};
 }
 
-/// A start made of straight lines: values at corners, constant beyond the first and the last.
+/// A start made of straight lines between corners.
 struct Corners {
   std::vector<Big> place, value;
-
-  Big integral(std::size_t piece, const Big& y) const {
-    const Big slope = (value[piece + 1] - value[piece]) / (place[piece + 1] - place[piece]);
-    const Big along = y - place[piece];
-    Big before = 0;
-    for (std::size_t k = 0; k < piece; ++k)
-      before += (value[k] + value[k + 1]) / 2 * (place[k + 1] - place[k]);
-    return before + value[piece] * along + slope / 2 * along * along;
-  }
 };
 
 /// u = <(x - y)/t>, the form of Cole (1951) before any integration by parts, as Gauss-Legendre sums
-/// over panels of one width, a half of the narrowest that the weight can be.
+/// over panels between corners of at most one and a half of the narrowest width that a weight has.
 inline Big velocity_from_corners(const Corners& start, const Big& x, double time,
                                  double viscosity) {
   using Rule = boost::math::quadrature::gauss<Big, 20>;
   const Big t = time, two_nu = 2 * Big(viscosity), fastest = 1, steepest = 1;
-  const Big width = sqrt(two_nu / (1 / t + steepest)) / 2;
+  const Big width = 1.5 * sqrt(two_nu / (1 / t + steepest));
   const Big reach = 2 * fastest * t + sqrt(2 * two_nu * t * 100);
-  Big least = 1e30;
-  const auto sums = [&](bool is_search) {
-    Big weight = 0, velocity = 0;
+  Big least = 1e30, weight = 0, velocity = 0;
+  for (const bool is_search : {true, false}) {
+    Big before = 0;
     for (std::size_t k = 0; k + 1 < start.place.size(); ++k) {
-      const Big lower = std::max(start.place[k], x - reach);
-      const Big upper = std::min(start.place[k + 1], x + reach);
-      if (lower >= upper) continue;
+      const Big from = start.place[k], length = start.place[k + 1] - from;
+      const Big slope = (start.value[k + 1] - start.value[k]) / length;
       const auto exponent = [&](const Big& y) -> Big {
-        return (start.integral(k, y) + (x - y) * (x - y) / (2 * t)) / two_nu;
+        const Big along = y - from, away = x - y;
+        const Big integral = before + along * (start.value[k] + along * slope / 2);
+        return (integral + away * away / (2 * t)) / two_nu;
       };
-      const int panels = static_cast<int>((upper - lower) / width) + 1;
-      const Big half = (upper - lower) / (2 * panels);
+      const Big lower = std::max(from, x - reach);
+      const Big upper = std::min(start.place[k + 1], x + reach);
+      const int panels = lower < upper ? static_cast<int>((upper - lower) / width) + 1 : 0;
       for (int p = 0; p < panels; ++p) {
-        const Big middle = lower + (2 * p + 1) * half;
-        const Big above = exponent(middle) - least;
-        if (is_search) least = std::min(least, above + least);
-        if (is_search || above > 80) continue;
+        const Big half = (upper - lower) / (2 * panels), middle = lower + (2 * p + 1) * half;
+        const Big in_the_middle = exponent(middle);
+        if (is_search) least = std::min(least, in_the_middle);
+        if (is_search || in_the_middle - least > 90) continue;
         const auto add = [&](const Big& y, const Big& share) {
           const Big w = share * half * exp(least - exponent(y));
           weight += w;
@@ -74,11 +67,10 @@ inline Big velocity_from_corners(const Corners& start, const Big& x, double time
           add(middle - half * Rule::abscissa()[n], Rule::weights()[n]);
         }
       }
+      before += length * (start.value[k] + length * slope / 2);
     }
-    return is_search ? Big(0) : Big(velocity / weight);
-  };
-  sums(true);
-  return sums(false);
+  }
+  return velocity / weight;
 }
 
 /// The start u0 = left for x < 0, right for x > 0 (Hopf 1950).
