@@ -42,6 +42,9 @@ std::unique_ptr<ExactSolution> burgers_from(const ExactSetup& setup) {
     return std::make_unique<BurgersColeHopf>(BurgersStart{
         field("velocity"), field("density"), copy(initial.position()), lower,
         std::accumulate(lengths.begin(), lengths.end(), lower), parameters.at("viscosity")});
+  } catch (const InputError& problem) {
+    throw InputError(problem.key(), std::string(problem.what()) +
+                                        ", and burgers_cole_hopf needs it on the whole line");
   } catch (const std::invalid_argument& problem) {
     throw InputError("check.against",
                      "burgers_cole_hopf has no answer: " + std::string(problem.what()));

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <boost/numeric/odeint.hpp>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <stdexcept>
-#include <utility>
+
+#include "mote/exact/cole_hopf_paths.hpp"
 
 namespace mote {
 namespace {
@@ -42,41 +40,6 @@ const BurgersStart& checked(const BurgersStart& start) {
   refuse_growth(start);
   return start;
 }
-
-/// The rates of a particle in s = sqrt(t), or backwards in sqrt(end) - s.
-class Rates {
- public:
-  using State = std::array<double, 2>;  ///< X over a length, and ln J
-
-  Rates(const ColeHopf& motion, double end, double length, bool backwards)
-      : motion_(motion), root_of_end_(std::sqrt(end)), length_(length), backwards_(backwards) {}
-
-  double root_of_end() const { return root_of_end_; }
-
-  void operator()(const State& state, State& rate, double way) const {
-    const double place = state[0] * length_;
-    const auto [velocity, stretching] =
-        backwards_ ? forward(place, root_of_end_ - way) : forward(place, way);
-    const double direction = backwards_ ? -1 : 1;
-    rate = {direction * velocity / length_, direction * stretching};
-  }
-
- private:
-  State forward(double place, double root) const {
-    const double first = 1e-8 * root_of_end_;
-    if (root >= first) {
-      const auto [velocity, slope] = motion_(place, root * root);
-      return {2 * root * velocity, 2 * root * slope};
-    }
-    // At a jump 2 s u_x has a limit at s = 0; elsewhere this is 0 as it must be.
-    const double once = forward(place, first)[1], twice = forward(place, 2 * first)[1];
-    return {2 * root * motion_(place, first * first).velocity, 2 * once - twice};
-  }
-
-  const ColeHopf& motion_;
-  double root_of_end_, length_;
-  bool backwards_;
-};
 
 /// Middles between neighbours whose velocity or density differs by more than a fortieth of all.
 std::vector<double> middles_of_steps(const std::vector<double>& labels, const Table& table) {
@@ -131,44 +94,13 @@ void BurgersColeHopf::cover(std::span<const double> places, double time) const {
   }
 }
 
-BurgersColeHopf::Particle BurgersColeHopf::followed(double position, double time,
-                                                    bool backwards) const {
-  namespace odeint = boost::numeric::odeint;
-  constexpr double error = 1e-14;
-  const double length = start_.upper - start_.lower;
-  const Rates rates(motion_, time, length, backwards);
-  Rates::State state{position / length, 0};
-  const double way = rates.root_of_end();
-  odeint::integrate_adaptive(odeint::bulirsch_stoer<Rates::State>(error, error), rates, state, 0.0,
-                             way, 0.01 * way);
-  return {state[0] * length, state[1]};
-}
-
-std::vector<BurgersColeHopf::Particle> BurgersColeHopf::followed(std::span<const double> positions,
-                                                                 double time,
-                                                                 bool backwards) const {
-  std::vector<Particle> particles(positions.size());
-  std::vector<std::exception_ptr> failures(positions.size());
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    try {
-      particles[i] = followed(positions[i], time, backwards);
-    } catch (...) {
-      failures[i] = std::current_exception();
-    }
-  }
-  for (const std::exception_ptr& failure : failures)
-    if (failure) std::rethrow_exception(failure);
-  return particles;
-}
-
 Table BurgersColeHopf::table_of(std::span<const double> labels, double time) const {
   Table table{{"position", {}}, {"velocity", {}}, {"density", {}}};
-  std::vector<Particle> particles;
+  std::vector<FluidParticle> particles;
   for (const double label : labels) particles.push_back({label, 0});
   if (time > 0) {
     cover(labels, time);
-    particles = followed(labels, time, false);
+    particles = followed(motion_, labels, time, Direction::forwards);
   }
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const auto [place, log_stretch] = particles[i];
@@ -183,11 +115,11 @@ Table BurgersColeHopf::of_particles(double time) const { return table_of(start_.
 
 Table BurgersColeHopf::at_places(std::span<const double> position, double time) const {
   Table table{{"velocity", {}}, {"density", {}}};
-  std::vector<Particle> sources;
+  std::vector<FluidParticle> sources;
   for (const double place : position) sources.push_back({place, 0});
   if (time > 0 && !position.empty()) {
     cover(position, time);
-    sources = followed(position, time, true);
+    sources = followed(motion_, position, time, Direction::backwards);
   }
   for (std::size_t i = 0; i < position.size(); ++i) {
     const double place = position[i];

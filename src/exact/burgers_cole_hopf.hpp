@@ -20,13 +20,11 @@ struct BurgersStart {
 
 /// Viscous pressureless gas without gravity (Isshiki 2014, (81) and (88)):
 ///   u_t + u u_x = nu u_xx,   rho_t + (rho u)_x = 0   on the whole line.
-/// The velocity is that of Cole (1951) and Hopf (1950), see ColeHopf. A particle that starts at a
-/// moves and the gas around it is compressed by
-///   dX/dt = u(X, t),   d ln J/dt = u_x(X, t),   rho = rho0(a)/J,
-/// which are integrated with steps in s = sqrt(t), in which a kink or a jump of the start spreads
-/// smoothly, by the method of Fehlberg of order 7(8) to errors of 1e-13 a step.
+/// The velocity is that of Cole (1951) and Hopf (1950), see ColeHopf; a particle that starts at a
+/// follows it, see cole_hopf_paths.hpp, and the gas around it has the density rho0(a)/J.
 ///
 /// Where gas is compressed by more than 1e308, as in a thin layer late, the density is infinite.
+/// One object is for one thread: it learns more of the start as later times are asked for.
 class BurgersColeHopf final : public ExactSolution {
  public:
   static constexpr std::string_view name = "burgers_cole_hopf";
@@ -43,21 +41,13 @@ class BurgersColeHopf final : public ExactSolution {
   /// Position, velocity, density. Throws std::domain_error if the waves come from farther away than
   /// 4000 times the length of the domain, as in the others.
   Table of_particles(double time) const override;
-  /// Velocity and density; for the density the place is followed back to its start. In a layer that
-  /// compressed the gas C times the start is known to 1e-13 C only.
+  /// Velocity and density; for the density the place is followed back to its start.
   Table at_places(std::span<const double> position, double time) const override;
   /// Of particles that start at equal distances, and of more where the profile is steep.
   Table curve(double time) const override;
 
  private:
-  struct Particle {
-    double position, log_stretch;  ///< X and ln J, the logarithm of its length over that at first
-  };
-
   void cover(std::span<const double> places, double time) const;
-  std::vector<Particle> followed(std::span<const double> positions, double time,
-                                 bool backwards) const;
-  Particle followed(double position, double time, bool backwards) const;
   Table table_of(std::span<const double> labels, double time) const;
 
   BurgersStart start_;

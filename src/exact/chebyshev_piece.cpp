@@ -86,6 +86,7 @@ ChebyshevPiece::ChebyshevPiece(const std::function<double(double)>& function, do
     value[k] = static_cast<double>(series[k]);
     if (std::abs(value[k]) > 0.5 * rounding * size) highest = k;
   }
+  sum_in_the_middle = series_sum(sum, highest + 1, 0.0L);
   const double farthest = std::max(std::abs(lower), std::abs(upper));
   const double allowed = 16 * rounding * (size + farthest * steepest(sample, half));
   resolved = std::abs(value[degree]) + std::abs(value[degree - 1]) + std::abs(value[degree - 2]) <=

@@ -54,11 +54,8 @@ void Panel::sample(double place, double time, double viscosity) {
     start[n] = s[n] * last[n] - before[n] + piece->value[0];
     slope[n] = unit * (start[n] - (far - half * gauss.place[n]) / time);  // dg/ds
   }
-  for (int n = 0; n < points; ++n) {
-    double sum = 0;
-    for (int k = 0; k < points; ++k) sum += gauss.from_middle[n][k] * slope[k];
-    rise[n] = sum;
-  }
+  for (int k = 0; k < points; ++k)
+    for (int n = 0; n < points; ++n) rise[n] += gauss.from_middle[k][n] * slope[k];
   // Between two points g lies at most curvature gap^2/8 below the lower one. Twice that is left for
   // a curvature that is larger between the points than their slopes say.
   double curvature = 0;
@@ -78,11 +75,12 @@ bool Panel::resolve(long double least_exponent) {
   constexpr double most = 20, small = 1e-7;
   const auto [least, largest] = std::ranges::minmax(rise);
   if (largest - least > most) return false;
+  const auto& [degree_14, degree_15] = gauss_panel().tail;
   double first = 0, second = 0;
   for (int n = 0; n < points; ++n) {
     weight[n] = std::exp(least - rise[n]);
-    first += gauss_panel().tail[0][n] * weight[n];
-    second += gauss_panel().tail[1][n] * weight[n];
+    first += degree_14[n] * weight[n];
+    second += degree_15[n] * weight[n];
   }
   const double above = static_cast<double>(exponent + least - least_exponent);
   return std::abs(first) + std::abs(second) <= small * std::exp(0.4 * above);
@@ -120,7 +118,7 @@ ColeHopf::Motion motion(std::vector<Panel>& panels, long double least, double pl
 
 ColeHopf::ColeHopf(std::function<double(double)> start, double lower, double upper,
                    double viscosity)
-    : start_(std::move(start), lower, upper), viscosity_(viscosity) {}
+    : start_(std::move(start), lower, upper), length_(upper - lower), viscosity_(viscosity) {}
 
 /// F(y) is above F(x) from where (x - y)^2/(2 t) exceeds the largest |u0| times |x - y|.
 double ColeHopf::reach(double time) const {
@@ -138,11 +136,16 @@ void ColeHopf::cover(double lower, double upper, double time) {
 
 ColeHopf::Motion ColeHopf::operator()(double place, double time) const {
   const double lower = place - reach(time), upper = place + reach(time);
+  // The minimum of F is not above F at the place itself.
+  const long double enough =
+      start_.pieces()[start_.piece_at(place)].integral(place) + 2 * viscosity_ * negligible;
   std::vector<Panel> open, next, resolved;
   for (std::size_t k = start_.piece_at(lower); k < start_.pieces().size(); ++k) {
     const ChebyshevPiece& piece = start_.pieces()[k];
     if (piece.lower >= upper) break;
-    open.emplace_back(&piece, std::max(lower, piece.lower), std::min(upper, piece.upper));
+    const double away = std::max({0.0, piece.lower - place, place - piece.upper});
+    if (piece.lowest_integral() + away * away / (2 * time) <= enough)
+      open.emplace_back(&piece, std::max(lower, piece.lower), std::min(upper, piece.upper));
   }
   long double least = std::numeric_limits<long double>::infinity();
   while (!open.empty()) {

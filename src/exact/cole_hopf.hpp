@@ -17,7 +17,8 @@ namespace mote {
 /// resolved and left out where F lies so far above its minimum that the weight is below rounding.
 /// F is taken relative to its minimum: nothing overflows at any nu > 0. What is left is rounding,
 /// as if x and u0 were off by a few units in their last place: u is good to 1e-15 of the largest
-/// |u0|, and to 1e-16 |x u_x| where a layer is so thin that this is more.
+/// |u0|, and to 1e-16 |x u_x| where a layer is so thin that this is more; u_x to 1e-15 of the
+/// steepest slope, and to 1e-16 |u0|/sqrt(2 nu t) soon after the start.
 class ColeHopf {
  public:
   /// `start` as PiecewiseChebyshev takes it; [lower, upper] is where most places lie.
@@ -29,7 +30,8 @@ class ColeHopf {
 
   /// The largest |u0| of what is covered.
   double fastest() const { return start_.largest(); }
-  double viscosity() const { return viscosity_; }
+  /// Of the interval where most places lie.
+  double length() const { return length_; }
 
   struct Motion {
     double velocity, slope;  ///< u and u_x
@@ -41,7 +43,7 @@ class ColeHopf {
   double reach(double time) const;
 
   PiecewiseChebyshev start_;
-  double viscosity_;
+  double length_, viscosity_;
 };
 
 }  // namespace mote

@@ -43,7 +43,7 @@ GaussPanel made() {
       long double sum = 0;
       for (int m = 0; m < points; ++m)
         sum += (m + 0.5L) * weight[k] * at[m] * integral_of(m, to, middle);
-      panel.from_middle[n][k] = static_cast<double>(sum);
+      panel.from_middle[k][n] = static_cast<double>(sum);
     }
     for (int m : {points - 2, points - 1})
       panel.tail[m - (points - 2)][n] = static_cast<double>((m + 0.5L) * weight[n] * to[m]);

@@ -13,7 +13,8 @@ struct GaussPanel {
   Values place;   ///< the points, in order
   Values weight;  ///< of the rule
 
-  /// Row n integrates a polynomial of degree 15 from 0 to place[n], given its values.
+  /// Entry [k][n] is what the value at place[k] gives to the integral from 0 to place[n] of a
+  /// polynomial of degree 15.
   std::array<Values, points> from_middle;
 
   /// Rows that give the coefficients of the Legendre polynomials of degrees 14 and 15.

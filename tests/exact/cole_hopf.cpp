@@ -109,7 +109,7 @@ Case sine_case(double viscosity, double time, double phase = 0) {
           [=](const Big& x, double t) { return velocity_from_sine(x + phase, t, viscosity); },
           viscosity,
           time,
-          {-0.9, -0.3, -0.01, 0, 0.001, 0.02, 0.5, 1, 1.99, 2.004}};
+          {-0.9, -0.01, 0, 0.02, 1, 2.004}};
 }
 
 TEST(ColeHopf, Sine) {
