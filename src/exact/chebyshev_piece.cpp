@@ -88,7 +88,7 @@ ChebyshevPiece::ChebyshevPiece(const std::function<double(double)>& function, do
   }
   sum_in_the_middle = series_sum(sum, highest + 1, 0.0L);
   const double farthest = std::max(std::abs(lower), std::abs(upper));
-  const double allowed = 16 * rounding * (size + farthest * steepest(sample, half));
+  const double allowed = rounding * (16 * size + 2 * farthest * steepest(sample, half));
   resolved = std::abs(value[degree]) + std::abs(value[degree - 1]) + std::abs(value[degree - 2]) <=
              allowed;
   for (int k = 0; resolved && k < checks; ++k) {

@@ -22,11 +22,10 @@ struct ChebyshevPiece {
   long double sum_in_the_middle = 0;
   double largest = 0;  ///< magnitude of the function, by samples
 
-  /// The interpolant at the 16 Chebyshev points of (lower, upper); the ends are not touched.
-  /// Rounding is taken to be 4e-15 of `scale`, or of the function if larger, and 16 times what a
-  /// rounding of the place changes. It is
-  /// held against the function at `checks` more places. Throws std::invalid_argument where the
-  /// function is not a finite number.
+  /// The interpolant at the 16 Chebyshev points of (lower, upper); the ends are not touched. It is
+  /// resolved if its last coefficients, and what it differs by at `checks` more places, are
+  /// rounding: 4e-15 of `scale`, or of the function if that is larger, and what a rounding of the
+  /// place makes. Throws std::invalid_argument where the function is not a finite number.
   ChebyshevPiece(const std::function<double(double)>& function, double lower, double upper,
                  double scale, int checks);
 

@@ -49,9 +49,9 @@ Difference difference(const Case& c) {
   return largest;
 }
 
-void expect_agreement(const Case& c) {
+void expect_agreement(const Case& c, double most = 1e-12) {
   const auto [velocity, slope] = difference(c);
-  EXPECT_LT(velocity, 1e-12) << "nu = " << c.viscosity << ", t = " << c.time;
+  EXPECT_LT(velocity, most) << "nu = " << c.viscosity << ", t = " << c.time;
   EXPECT_LT(slope, 1e-12) << "nu = " << c.viscosity << ", t = " << c.time;
 }
 
@@ -89,18 +89,24 @@ TEST(ColeHopf, AnotherStartIsFarther) {
   EXPECT_GT(difference(slope_case(0.02, 0.5, {0.9, 1.1, 1.7}, 1 + 1e-9)).velocity, 1e-11);
 }
 
+/// The jump is where no number is round; places are relative to it.
 Case jump_case(double left, double right, double viscosity, double time,
                std::vector<double> places) {
-  return {[=](double x) { return x < 0 ? left : right; },
-          [=](const Big& x, double t) { return velocity_from_jump(left, right, x, t, viscosity); },
-          viscosity, time, std::move(places)};
+  const double at = 1.3;
+  for (double& place : places) place += at;
+  return {
+      [=](double x) { return x < at ? left : right; },
+      [=](const Big& x, double t) { return velocity_from_jump(left, right, x - at, t, viscosity); },
+      viscosity, time, std::move(places)};
 }
 
+/// In the fan of a jump that opens all depends on the two sides of the jump, to the last place.
 TEST(ColeHopf, Jumps) {
-  for (const double viscosity : {0.02, 1e-3})
+  for (const double viscosity : {0.02, 1e-3, 8e-5})
     for (const double time : {1e-6, 0.1, 3.0}) {
       expect_agreement(jump_case(1, -0.25, viscosity, time, {-0.4, -1e-4, 0, 1e-5, 1.125, 2}));
-      expect_agreement(jump_case(-0.5, 1, viscosity, time, {-0.4, -1e-4, 0, 1e-5, 1.5, 3}));
+      expect_agreement(jump_case(-0.5, 1, viscosity, time, {-0.4, -1e-4, 0, 1e-5, 0.7, 1.5, 3}),
+                       1e-14);
     }
 }
 
