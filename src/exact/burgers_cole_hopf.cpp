@@ -12,6 +12,9 @@
 namespace mote {
 namespace {
 
+/// Beyond it a place does not say which gas is there: from 1e-13 of the domain, 1e-3 have become.
+constexpr double most_compression = 1e10;
+
 double largest_of(const std::function<double(double)>& function, double lower, double upper) {
   constexpr int samples = 1000;
   double largest = 0;
@@ -125,8 +128,10 @@ Table BurgersColeHopf::at_places(std::span<const double> position, double time) 
     const double place = position[i];
     table[0].values.push_back(time > 0 ? motion_(place, time).velocity : start_.velocity(place));
     // Followed backwards, the gas is stretched by the inverse.
-    table[1].values.push_back(start_.density(sources[i].position) *
-                              std::exp(sources[i].log_stretch));
+    const auto [label, log_compression] = sources[i];
+    table[1].values.push_back(log_compression < std::log(most_compression)
+                                  ? start_.density(label) * std::exp(log_compression)
+                                  : std::numeric_limits<double>::quiet_NaN());
   }
   return table;
 }

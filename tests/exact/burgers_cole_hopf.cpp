@@ -132,8 +132,16 @@ TEST(BurgersColeHopf, PlacesAndParticlesTellTheSameStory) {
   }
 }
 
-/// A particle at a jump: u is -u at the mirrored place, so it stays, and
-/// u_x = 1/sqrt(pi nu t) g(t/nu); at first J = 1 + 2 (u/2) sqrt(t/(pi nu)) + ...
+TEST(BurgersColeHopf, DensityIsUnknownWhereAPlaceDoesNotSayWhichGasIsThere) {
+  const BurgersColeHopf solution(start_of(flat_slope_flat, 1e-3));
+  const Table gas = solution.at_places(std::vector<double>{1.5, 2}, 2.5);
+  EXPECT_NEAR(gas[1].values[0], 1, 1e-11);
+  EXPECT_TRUE(std::isnan(gas[1].values[1]));
+  EXPECT_NEAR(gas[0].values[1], 0, 1e-15);
+}
+
+/// By symmetry a particle at a jump stays. At first viscosity alone spreads the jump from -U to U,
+/// so u_x = U/sqrt(pi nu t) there, and ln J = 2 U sqrt(t/(pi nu)).
 TEST(BurgersColeHopf, ParticleAtAJump) {
   BurgersStart start = start_of([](double x) { return x < 2 ? -0.5 : x > 2 ? 0.5 : 0.0; }, 0.02, 3);
   const BurgersColeHopf solution(start);
