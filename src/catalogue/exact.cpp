@@ -1,6 +1,9 @@
 #include "mote/catalogue/exact.hpp"
 
+#include <stdexcept>
+
 #include "mote/catalogue/refined.hpp"
+#include "mote/exact/burgers_cole_hopf.hpp"
 #include "mote/exact/gravitating_sheets.hpp"
 #include "mote/particles/failure.hpp"
 
@@ -28,11 +31,38 @@ std::unique_ptr<ExactSolution> refined_from(const ExactSetup& setup) {
   return std::make_unique<Refined>(setup.refined, unrefined->cloud().count());
 }
 
+std::unique_ptr<ExactSolution> burgers_from(const ExactSetup& setup) {
+  const auto& [initial, parameters, start, refined] = setup;
+  if (!parameters.contains("viscosity") || !parameters.contains("gravity") ||
+      !initial.has("length"))
+    throw InputError("check.against", "burgers_cole_hopf solves the model pressureless_gas alone");
+  if (parameters.at("viscosity") == 0)
+    throw InputError("check.against", "burgers_cole_hopf needs a viscosity, this gas has none");
+  if (parameters.at("gravity") != 0)
+    throw InputError("check.against", "burgers_cole_hopf has no gravity, this gas has");
+  const auto field = [start = start](const char* name) {
+    return [start, name](double x) { return start(name, x); };
+  };
+  try {
+    return std::make_unique<BurgersColeHopf>(
+        BurgersStart{field("velocity"), field("density"), copy(initial.position()),
+                     parameters.at("lower"), parameters.at("upper"), parameters.at("viscosity")});
+  } catch (const InputError& problem) {
+    throw InputError(problem.key(), std::string(problem.what()) +
+                                        ", and burgers_cole_hopf needs it on the whole line");
+  } catch (const std::invalid_argument& problem) {
+    throw InputError("check.against",
+                     "burgers_cole_hopf has no answer: " + std::string(problem.what()));
+  }
+}
+
 }  // namespace
 
 std::vector<ExactEntry> exact_entries() {
-  return {{choice_of<GravitatingSheets>(), {"position", "velocity", "density"}, sheets_from},
-          {choice_of<Refined>(), {"position", "velocity", "density"}, refined_from}};
+  const std::vector<std::string> fields{"position", "velocity", "density"};
+  return {{choice_of<GravitatingSheets>(), fields, sheets_from},
+          {choice_of<BurgersColeHopf>(), fields, burgers_from},
+          {choice_of<Refined>(), fields, refined_from}};
 }
 
 }  // namespace mote
