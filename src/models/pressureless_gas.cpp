@@ -130,7 +130,12 @@ void PressurelessGas::prepare_operator() {
     return;
   std::swap(points_, fresh_points_);
   search_.find(points_, operator_->neighbour_rule(), lists_);
-  operator_->prepare(points_, lists_);
+  try {
+    operator_->prepare(points_, lists_);
+  } catch (const NumericalFailure&) {
+    inspect();  // particles that crossed are what happened first
+    throw;
+  }
   diffusion_is_current_ = false;
   work_.pairs += lists_.pairs();
   work_.evaluations += 1;

@@ -104,6 +104,8 @@ std::vector<std::string> PressurelessGas::remarks() const {
                                    : "Density is each cell's mass over its length.");
   if (!uses_operator())
     remarks.emplace_back("So nothing in this run needs a derivative: the operator was not used.");
+  if (frame_ == Frame::eulerian && extension_.ends() != LineEnds::wall)
+    remarks.emplace_back("What flows through the ends counts as drift of mass and momentum.");
   std::ranges::copy(remarks_on_viscosity(), std::back_inserter(remarks));
   if (!smoothing_.empty()) remarks.push_back(smoothing_);
   const double lowest = std::ranges::min(density_);
