@@ -103,6 +103,35 @@ Value parse(const std::string& text, const Place& place) {
   }
 }
 
+bool has_sections(const Value& list) {
+  return std::ranges::any_of(
+      list.list, [](const Value& item) { return item.kind == Value::Kind::section; });
+}
+
+void emit(YAML::Emitter& out, const Value& value) {
+  switch (value.kind) {
+    case Value::Kind::empty:
+      out << YAML::Null;
+      break;
+    case Value::Kind::word:
+      out << value.word;
+      break;
+    case Value::Kind::list:
+      if (!has_sections(value)) out << YAML::Flow;
+      out << YAML::BeginSeq;
+      for (const Value& item : value.list) out << YAML::Flow, emit(out, item);
+      out << YAML::EndSeq;
+      break;
+    case Value::Kind::section:
+      out << YAML::BeginMap;
+      for (const auto& entry : value.entries) {
+        out << YAML::Key << entry.key << YAML::Value;
+        emit(out, entry.value);
+      }
+      out << YAML::EndMap;
+  }
+}
+
 std::string contents(const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
@@ -117,6 +146,27 @@ std::string contents(const std::string& path) {
 const Value* Value::find(const std::string& key) const {
   const auto found = std::ranges::find(entries, key, &Entry::key);
   return found == entries.end() ? nullptr : &found->value;
+}
+
+std::vector<std::string> keys_of(const std::string& path) {
+  std::vector<std::string> keys;
+  std::istringstream words(path);
+  for (std::string key; std::getline(words, key, '.');) keys.push_back(key);
+  return keys;
+}
+
+std::string flow_text(const Value& value) {
+  YAML::Emitter out;
+  out.SetSeqFormat(YAML::Flow);
+  out.SetMapFormat(YAML::Flow);
+  emit(out, value);
+  return out.c_str();
+}
+
+std::string block_text(const Value& value) {
+  YAML::Emitter out;
+  emit(out, value);
+  return std::string(out.c_str()) + "\n";
 }
 
 Document Document::from_file(const std::string& path) {
@@ -138,9 +188,18 @@ void Document::set(const std::string& assignment) {
   const auto equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0)
     throw LocatedError(origin.text, "this must have the form key.path=value");
+  set(keys_of(assignment.substr(0, equals)), parsed(assignment.substr(equals + 1), origin), origin);
+}
+
+Value Document::parsed(const std::string& text, const Origin& origin) {
+  Value value = parse(text, [&](const YAML::Mark&) { return origin; });
+  value.origin = origin;
+  return value;
+}
+
+void Document::set(const std::vector<std::string>& keys, Value given, const Origin& origin) {
   Value* value = &root_;
-  std::istringstream path(assignment.substr(0, equals));
-  for (std::string key; std::getline(path, key, '.');) {
+  for (const std::string& key : keys) {
     if (value->kind == Value::Kind::word) {
       value->short_form = value->word;
       value->origin = origin;
@@ -155,14 +214,19 @@ void Document::set(const std::string& assignment) {
     }
     value = &found->value;
   }
-  *value = parse(assignment.substr(equals + 1), [&](const YAML::Mark&) { return origin; });
-  value->origin = origin;
+  *value = std::move(given);
+}
+
+const Value* Document::find(const std::vector<std::string>& keys) const {
+  const Value* value = &root_;
+  for (const std::string& key : keys)
+    if (value != nullptr) value = value->find(key);
+  return value;
 }
 
 std::string Document::locate(const std::string& path) const {
   const Value* value = &root_;
-  std::istringstream keys(path);
-  for (std::string key; std::getline(keys, key, '.');) {
+  for (const std::string& key : keys_of(path)) {
     const Value* next = value->find(key);
     std::size_t item = 0;
     const auto parsed = std::from_chars(key.data(), key.data() + key.size(), item);
