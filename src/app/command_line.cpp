@@ -46,6 +46,21 @@ class Commands {
                                 [this] { return run(catalogue_, run_); });
     add_file_and_output(*run_command, run_, "scenario, a YAML file");
 
+    CLI::App* compare_command =
+        add(app, "compare",
+            "run a scenario with all combinations of some values, for one table and one picture; "
+            "exit code 0 if every run passed its checks, but for those that must fail, and every "
+            "expectation of the file holds, otherwise 1",
+            [this] { return compare(catalogue_, compare_); });
+    add_file_and_output(*compare_command, compare_, "scenario, a YAML file");
+    compare_command
+        ->add_option("--vary", compare_.variations,
+                     "key.path=value,value,..., in place of the file's values of that key")
+        ->take_all()
+        ->expected(1);
+    compare_command->add_option("--jobs", compare_.jobs, "runs at a time (default: by processors)")
+        ->check(CLI::Range(1, 4096));
+
     CLI::App* study_command = add(app, "study", "measure operators on points, without time",
                                   [this] { return study(catalogue_, run_); });
     add_file_and_output(*study_command, run_, "study, a YAML file");
@@ -90,6 +105,7 @@ class Commands {
 
   const Catalogue& catalogue_;
   RunOptions run_;
+  CompareOptions compare_;
   ExportOptions export_;
   std::string what_, schema_of_ = "scenario";
   int exit_code_ = 0;

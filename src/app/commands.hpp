@@ -19,6 +19,12 @@ struct RunOptions {
   bool quiet = false;
 };
 
+/// Options of `mote compare`.
+struct CompareOptions : RunOptions {
+  std::vector<std::string> variations;  ///< of --vary, `key.path=value,value,...`
+  int jobs = 0;                         ///< 0: as many as there are processors and memory for
+};
+
 struct ExportOptions {
   std::string folder;
   std::string frame = "last";
@@ -30,6 +36,7 @@ struct ExportOptions {
 /// InputError for bad input.
 int run(const Catalogue& catalogue, const RunOptions& options);
 int study(const Catalogue& catalogue, const RunOptions& options);
+int compare(const Catalogue& catalogue, const CompareOptions& options);
 int check(const Catalogue& catalogue, const RunOptions& options);
 int resume(const Catalogue& catalogue, const RunOptions& options);
 int export_frame(const ExportOptions& options);

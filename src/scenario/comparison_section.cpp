@@ -45,8 +45,7 @@ std::string problem_of(const ComparisonSection::Expectation& e) {
            "'least_order' and 'highest_order' of a field";
   if (e.asks_for_failure() && !e.field.empty())
     return "'field' has no meaning where the numerics must break down";
-  if (asks_for_error && e.field.empty())
-    return "an error needs a 'field', as in 'field: velocity'";
+  if (asks_for_error && e.field.empty()) return "an error needs a 'field', as in 'field: velocity'";
   if (e.fails_after && e.fails_before && *e.fails_after >= *e.fails_before)
     return "'fails_after' must lie before 'fails_before'";
   if (e.least_order && e.highest_order && *e.least_order > *e.highest_order)

@@ -104,8 +104,8 @@ Value parse(const std::string& text, const Place& place) {
 }
 
 bool has_sections(const Value& list) {
-  return std::ranges::any_of(
-      list.list, [](const Value& item) { return item.kind == Value::Kind::section; });
+  return std::ranges::any_of(list.list,
+                             [](const Value& item) { return item.kind == Value::Kind::section; });
 }
 
 void emit(YAML::Emitter& out, const Value& value) {
