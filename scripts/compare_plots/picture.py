@@ -5,20 +5,23 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import NullFormatter
 
 from run_plots.reading import label, read_columns, read_snapshot, read_summary
-from study_plots.drawing import add_legend, arrange, make_grid, plain, save, stroke, style
+from study_plots.drawing import (
+    COLOURS, add_legend, arrange, make_grid, plain, save, stroke, style)
 from study_plots.errors import ZERO_NOTE, log_limits, on_axis
 
 USUAL_FIELDS = ("velocity", "density")  # where there is no exact solution
 MOST_MARKERS = 41  # on a profile
 MOST_RESOLUTIONS = 7  # named on an axis
 MOST_IN_PANEL = 14  # lines of a legend
-EXACT = {"color": "black", "linewidth": 1.2, "label": "exact"}
+EXACT = {"color": "black", "linewidth": 1, "label": "exact"}
 NOT_DRAWN = {"color": "0.4", "marker": "x", "markersize": 6, "linestyle": "none"}
 SLOPE = {"color": "0.5", "linewidth": 0.9, "linestyle": "--", "label": "order 2"}
 
 
 def line_style(k, count, width):
-    """Of line k: later markers are smaller, and do not hide earlier ones."""
+    """Of line k, never black, which is the exact curve; later markers are smaller."""
+    coloured = len(COLOURS) - 1
+    k, count = k + k // coloured, count + (count - 1) // coloured
     return {**stroke(k, width), **style(k, count, 6.5, 3.0), "markerfacecolor": "none",
             "markeredgewidth": 0.9}
 
@@ -42,9 +45,9 @@ class Profiles:
         for k, (_, fields, units) in self.snapshots.items():
             unit, every = units[name], math.ceil(len(fields["position"]) / MOST_MARKERS)
             axes.plot(fields["position"], fields[name], markevery=every, zorder=3,
-                      **line_style(k, len(self.members), 0.8))
+                      **line_style(k, len(self.members), 0.7))
         if name in self.exact:
-            axes.plot(self.exact["position"], self.exact[name], zorder=2, **EXACT)
+            axes.plot(self.exact["position"], self.exact[name], zorder=4, **EXACT)
         if not self.snapshots:
             axes.text(0.5, 0.5, "no member reached the end", transform=axes.transAxes, ha="center")
         axes.set_ylabel(label(name, unit, summary))

@@ -39,9 +39,6 @@ class Member:
     def failed(self):
         return bool(self.row["failure"])
 
-    def failure(self):
-        time = self.row["time"]
-        return f"failed at t = {float(time):.4g}" if time else "no result"
 
 
 class Table:
@@ -63,10 +60,12 @@ class Table:
 
     def words(self, values):
         """The values of a line, and which of its members failed when."""
-        failed = [member.failure() + f" with {member.resolution:g}" * bool(self.refinement)
-                  for member in self.lines[values] if member.failed]
-        return ": ".join([", ".join(values) or "all"] + failed[:1]) + "".join(
-            f", {words}" for words in failed[1:])
+        failed = [member for member in self.lines[values] if member.failed]
+        times = [f"{float(m.row['time']):.4g}" if m.row["time"] else "no result" for m in failed]
+        if self.refinement:
+            times = [f"{time} ({m.resolution:g})" for m, time in zip(failed, times)]
+        text = ", ".join(values) or "all"
+        return f"{text}: failed at t = {', '.join(times)}" if failed else text
 
     def resolutions(self):
         """All there are, the coarsest first."""

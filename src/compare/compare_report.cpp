@@ -110,6 +110,18 @@ std::string outcome(const CompareTable& table, const std::vector<CheckResult>& c
   return text;
 }
 
+std::string how_it_ran(const Running& running) {
+  const std::string threads =
+      fmt::format("on {} thread{} each.", running.threads, running.threads == 1 ? "" : "s");
+  if (running.jobs == 1)
+    return fmt::format("The runs were made one after the other, {}\n", threads);
+  return fmt::format(
+      "Up to {} runs were made beside each other, {} They share memory and caches: `--jobs 1` "
+      "gives "
+      "clean times.\n",
+      running.jobs, threads);
+}
+
 /// Characters on a terminal, not bytes.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(
@@ -145,13 +157,7 @@ std::string compare_markdown(const CompareTable& table, const Running& running,
                             : "",
       markdown_table(table));
   text += checks_markdown(checks);
-  text += fmt::format("\n## Cost\n\n{}, on {} thread{} each.\n",
-                      running.jobs == 1
-                          ? "The runs were made one after the other"
-                          : fmt::format("{} runs were made beside each other, and share memory and "
-                                        "caches: `--jobs 1` gives clean times",
-                                        running.jobs),
-                      running.threads, running.threads == 1 ? "" : "s");
+  text += "\n## Cost\n\n" + how_it_ran(running);
   text +=
       "\nEvery run has its own folder in `runs/`, with a report; all numbers are in `compare.csv`."
       "\n`mote compare compare.yaml` makes the same comparison again.\n";

@@ -30,7 +30,8 @@ std::string in_a_folder_name(const std::string& value) {
 std::string folder_of(std::size_t number, std::size_t count, const Member& member) {
   const std::size_t digits = std::max<std::size_t>(2, fmt::formatted_size("{}", count));
   std::string name = fmt::format("{:0{}}", number, digits);
-  for (const std::string& value : member.values) name += "-" + in_a_folder_name(value);
+  for (const std::string& value : member.values)
+    name += fmt::format("-{}", in_a_folder_name(value));
   return "runs/" + name.substr(0, 120);
 }
 

@@ -54,9 +54,11 @@ std::string problem_of(const PathValues& selection, const Comparison& comparison
     return fmt::format("'{}' is not varied{}", selection.path, suggestion(selection.path, paths));
   const auto& values = comparison.vary[*place].values;
   if (std::ranges::find(values, selection.values.front()) == values.end())
-    return fmt::format("no member has {} = {}{}; there are: {}", selection.path,
-                       selection.values.front(), suggestion(selection.values.front(), values),
-                       fmt::join(values, ", "));
+    return fmt::format(
+        "no member has {} = {}{}; there are: {}; --set compare.expect=[] leaves all "
+        "expectations out",
+        selection.path, selection.values.front(), suggestion(selection.values.front(), values),
+        fmt::join(values, ", "));
   return "";
 }
 

@@ -38,7 +38,7 @@ void add(Document& document, const std::string& variation, std::set<std::string>
   if (equals == std::string::npos || equals == 0)
     throw LocatedError(origin.text, "this must have the form key.path=value,value,...");
   const std::string path = variation.substr(0, equals);
-  const Value values = Document::parsed("[" + variation.substr(equals + 1) + "]", origin);
+  const Value values = Document::parsed(fmt::format("[{}]", variation.substr(equals + 1)), origin);
   if (!seen.insert(path).second)
     throw LocatedError(origin.text, fmt::format("'{}' is varied twice", path));
   document.set({"compare", "vary", path}, values, origin);

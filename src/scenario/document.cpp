@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <yaml-cpp/depthguard.h>
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
@@ -86,14 +87,48 @@ std::optional<YAML::Mark> indenting_tab(const std::string& text) {
   return std::nullopt;
 }
 
+/// Refuses a second document. It must be met while the first is read: behind `[a], [b]` the parser
+/// finds documents without end.
+class OneDocument final : public YAML::EventHandler {
+ public:
+  explicit OneDocument(const Place& place) : place_(place) {}
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (documents_++ > 0)
+      throw LocatedError(place_(mark).text,
+                         "a second YAML document begins here; one file is one scenario");
+  }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                  YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+
+ private:
+  const Place& place_;
+  int documents_ = 0;
+};
+
+void refuse_second_document(const std::string& text, const Place& place) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  OneDocument handler(place);
+  while (parser.HandleNextDocument(handler)) {
+  }
+}
+
 /// Parses one YAML document, turning the library's exceptions into ours.
 Value parse(const std::string& text, const Place& place) {
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.size() > 1)
-      throw LocatedError(place(documents[1].Mark()).text,
-                         "a second YAML document begins here; one file is one scenario");
-    return documents.empty() ? Value{} : Converter(place).convert(documents.front());
+    refuse_second_document(text, place);
+    const YAML::Node node = YAML::Load(text);
+    return node.IsDefined() ? Converter(place).convert(node) : Value{};
   } catch (const YAML::DeepRecursion& error) {
     throw LocatedError(place(error.mark).text, Converter::nested_too_deep);
   } catch (const YAML::Exception& error) {
