@@ -93,7 +93,7 @@ void Writer::paths(const Key& key, std::vector<PathValues>& paths, Values values
     for (const auto& [path, texts] : paths) {
       const std::string list = fmt::format("[{}]", fmt::join(texts, ", "));
       const YAML::Node node = YAML::Load(values == Values::several ? list : texts.front());
-      out_ << YAML::Key << path << YAML::Value << YAML::Flow << node;
+      out_ << YAML::Key << path << YAML::Value << node;
     }
   });
 }

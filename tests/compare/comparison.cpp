@@ -40,9 +40,9 @@ TEST(Members, HaveFoldersThatFilesCanHave) {
       comparison({{"operator", {"{family: sph, kernel: lucy}", "../x"}}, {"a", {"\"y z\"", "-1"}}});
   std::vector<std::string> folders;
   for (const Member& member : made.members) folders.push_back(member.folder);
-  EXPECT_THAT(folders, ElementsAre("runs/01-family_sph_kernel_lucy-y_z",
-                                   "runs/02-family_sph_kernel_lucy--1", "runs/03-.._x-y_z",
-                                   "runs/04-.._x--1"));
+  EXPECT_THAT(folders,
+              ElementsAre("runs/01-family_sph_kernel_lucy-y_z", "runs/02-family_sph_kernel_lucy--1",
+                          "runs/03-.._x-y_z", "runs/04-.._x--1"));
 }
 
 TEST(Members, AreNotTooMany) {
@@ -69,8 +69,8 @@ TEST(Refinement, GoesByTheSpacingInEveryDimension) {
 
 TEST(Members, AreMadeFromTheBaseAndTheirValues) {
   const Document base = document();
-  const Comparison made = comparison({{"operator", {"mps", "{family: sph, kernel: lucy}"}},
-                                      {"particles.count", {"21", "41"}}});
+  const Comparison made = comparison(
+      {{"operator", {"mps", "{family: sph, kernel: lucy}"}}, {"particles.count", {"21", "41"}}});
   const Document member = document_of(base, made, made.members[2]);
   EXPECT_EQ(member.find({"operator", "kernel"})->word, "lucy");
   EXPECT_EQ(member.find({"particles", "count"})->word, "21");
@@ -81,8 +81,7 @@ TEST(Members, AreMadeFromTheBaseAndTheirValues) {
 
 /// In the other order the section would replace what is in it.
 TEST(Members, TakeSectionsBeforeTheKeysInThem) {
-  const Comparison made =
-      comparison({{"operator.smoothing_length", {"2"}}, {"operator", {"mps"}}});
+  const Comparison made = comparison({{"operator.smoothing_length", {"2"}}, {"operator", {"mps"}}});
   EXPECT_THAT(assignments_of(made, made.members[0]),
               ElementsAre("operator=mps", "operator.smoothing_length=2"));
 }

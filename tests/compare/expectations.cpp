@@ -21,7 +21,8 @@ const Paths vary{{"operator", {"a", "b"}}, {"particles.count", {"10", "20"}}};
 struct Results {
   explicit Results(const Expectation& expectation)
       : made(comparison(vary, {expectation})),
-        table(table_of(made, {passed(0, 8), passed(1, 2), broken(2, 1.5, "?"), broken(3, 1.2, "?")})),
+        table(
+            table_of(made, {passed(0, 8), passed(1, 2), broken(2, 1.5, "?"), broken(3, 1.2, "?")})),
         checks(expectation_results(table)) {}
 
   bool hold() const { return std::ranges::all_of(checks, &CheckResult::passed); }

@@ -19,8 +19,8 @@ const Norm& l2 = norm_named("l2");
 TEST(Order, IsBetweenAMemberAndTheNextCoarserOfTheSameFamily) {
   const Comparison made = comparison(two_by_three);
   // Members: 40 a, 40 b, 10 a, 10 b, 20 a, 20 b. Of a the error falls by 4 and 8, of b not at all.
-  const CompareTable table = table_of(made, {passed(2, 32), passed(4, 8), passed(0, 1), passed(1, 7),
-                                             passed(3, 7), passed(5, 7)});
+  const CompareTable table = table_of(
+      made, {passed(2, 32), passed(4, 8), passed(0, 1), passed(1, 7), passed(3, 7), passed(5, 7)});
   EXPECT_NEAR(*table.order(*table.of(4), "velocity", l2), 2, 1e-14);
   EXPECT_NEAR(*table.order(*table.of(0), "velocity", l2), 3, 1e-14);
   EXPECT_NEAR(*table.order(*table.of(1), "velocity", l2), 0, 1e-14);
@@ -45,7 +45,8 @@ TEST(Order, IsNotObservedAlongOtherKeys) {
 TEST(CompareCsv, HasEveryColumnAndEmptyCellsWithoutAValue) {
   const Comparison made = comparison({{"particles.count", {"10", "20"}}, {"o", {"a", "b,\"c"}}});
   const CompareTable table = table_of(
-      made, {passed(0, 4), broken(1, 1.5, "x, \"y\""), passed(2, 1), {.member = 3, .problem = "p"}});
+      made,
+      {passed(0, 4), broken(1, 1.5, "x, \"y\""), passed(2, 1), {.member = 3, .problem = "p"}});
   EXPECT_EQ(compare_csv(table),
             "particles.count,o,time,particles,steps,velocity_l1,velocity_l1_order,velocity_l2,"
             "velocity_l2_order,velocity_max,velocity_max_order,wall_seconds,"
@@ -65,8 +66,9 @@ TEST(CompareCsv, HasTheRowsThatAreThereInTheOrderOfTheMembers) {
 
 TEST(Verdict, SaysWhatBecameOfAMember) {
   EXPECT_EQ(verdict(passed(0, 1)), "passed");
-  EXPECT_EQ(verdict(broken(0, 1.25, "step 4, t = 1.25: particles 1 and 2 crossed at x = 2.5. Likely "
-                                    "cause: a: b. Particles there: 1")),
+  EXPECT_EQ(verdict(broken(0, 1.25,
+                           "step 4, t = 1.25: particles 1 and 2 crossed at x = 2.5. Likely "
+                           "cause: a: b. Particles there: 1")),
             "failed at t = 1.25: particles 1 and 2 crossed at x = 2.5");
   EXPECT_EQ(verdict({.problem = "killed by signal 9 (Killed)"}),
             "no result: killed by signal 9 (Killed)");
@@ -78,7 +80,8 @@ TEST(Verdict, SaysWhatBecameOfAMember) {
 
 TEST(CompareReport, ShowsFailuresAndWhatIsBetweenBars) {
   const Comparison made = comparison({{"o", {"a|b", "c"}}});
-  const CompareTable table = table_of(made, {passed(0, 4), broken(1, 1.5, "step 1, t = 1.5: gone")});
+  const CompareTable table =
+      table_of(made, {passed(0, 4), broken(1, 1.5, "step 1, t = 1.5: gone")});
   const std::string text = compare_markdown(table, {2, 3}, "compare.png");
   EXPECT_THAT(text, HasSubstr("2 runs of one scenario, with `o` over 2 values. **1 of 2 runs did "
                               "not pass.**"));
