@@ -47,11 +47,14 @@ class Commands {
     add_file_and_output(*run_command, run_, "scenario, a YAML file");
 
     CLI::App* compare_command =
-        add(app, "compare",
-            "run a scenario with all combinations of some values, for one table and one picture; "
-            "exit code 0 if every run passed its checks, but for those that must fail, and every "
-            "expectation of the file holds, otherwise 1",
+        add(app, "compare", "run a scenario with all combinations of values",
             [this] { return compare(catalogue_, compare_); });
+    compare_command->footer(
+        "The threads are shared out among the runs. The exit code is 0 if every run passed its "
+        "own\n"
+        "checks, but for those whose numerics must break down, and every expectation of the "
+        "file's\n"
+        "section 'compare' holds, otherwise 1.");
     add_file_and_output(*compare_command, compare_, "scenario, a YAML file");
     compare_command
         ->add_option("--vary", compare_.variations,

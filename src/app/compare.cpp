@@ -5,8 +5,8 @@
 #include <cctype>
 #include <cmath>
 
-#include "mote/app/children.hpp"
 #include "mote/app/commands.hpp"
+#include "mote/app/member_runs.hpp"
 #include "mote/app/one_line.hpp"
 #include "mote/app/physical_memory.hpp"
 #include "mote/app/prepare.hpp"
@@ -18,7 +18,6 @@
 #include "mote/output/files.hpp"
 #include "mote/output/folder.hpp"
 #include "mote/output/picture.hpp"
-#include "mote/particles/failure.hpp"
 #include "mote/scenario/located_error.hpp"
 
 namespace mote {
@@ -49,14 +48,16 @@ double try_member(const Document& document, const Catalogue& catalogue,
 
 /// All members, one after the other. Throws LocatedError for the first that cannot be. Returns the
 /// memory that the largest needs.
-double try_members(const Document& document, const Catalogue& catalogue, Comparison& comparison) {
+double try_members(const Document& base, const Catalogue& catalogue, Comparison& comparison) {
   double largest = 0;
-  for (Member& member : comparison.members) try {
-      largest = std::max(largest, try_member(document_of(document, comparison, member), catalogue,
-                                             comparison, member));
+  for (Member& member : comparison.members) {
+    const Document document = document_of(base, comparison, member);
+    try {
+      largest = std::max(largest, try_member(document, catalogue, comparison, member));
     } catch (const LocatedError& error) {
       throw LocatedError(error, fmt::format(" (in the member {})", comparison.label(member)));
     }
+  }
   return largest;
 }
 
@@ -93,61 +94,6 @@ void remove_former_runs(const fs::path& folder) {
     else if (fs::exists(path / "run.yaml"))
       OutputFolder::remove(path);
 }
-
-/// Runs the members in processes of their own: HDF5 is not made for threads, and one that crashes
-/// is a row like others.
-class MemberRuns {
- public:
-  MemberRuns(const CompareOptions& options, const Running& running, const fs::path& folder,
-             CompareTable& table)
-      : options_(options), running_(running), folder_(folder), table_(table) {}
-
-  void run_all() {
-    const std::size_t count = table_.comparison().members.size();
-    for (std::size_t next = 0; next < count || children_.running() > 0;)
-      if (next < count && children_.running() < running_.jobs)
-        start(next++);
-      else
-        finish(children_.wait_for_one());
-  }
-
- private:
-  void start(std::size_t k) {
-    const Member& member = table_.comparison().members[k];
-    std::vector<std::string> arguments{"run", options_.file};
-    std::vector<std::string> assignments = options_.assignments;
-    for (std::string& own : assignments_of(table_.comparison(), member))
-      assignments.push_back(std::move(own));
-    assignments.emplace_back("output.picture=false");
-    for (const std::string& assignment : assignments)
-      arguments.insert(arguments.end(), {"--set", assignment});
-    arguments.insert(arguments.end(), {"--threads", std::to_string(running_.threads), "--quiet",
-                                       "--overwrite", "--out", (folder_ / member.folder).string()});
-    try {
-      children_.start(k, arguments, folder_ / (member.folder + ".log"));
-    } catch (const InputError& error) {
-      finish({k, error.what()});
-    }
-  }
-
-  void finish(const EndedChild& ended) {
-    const Member& member = table_.comparison().members[ended.number];
-    table_.add(row_of(ended.number, folder_ / member.folder, ended.problem));
-    write_file(folder_ / "compare.csv", compare_csv(table_));
-    if (options_.quiet) return;
-    const Row& row = *table_.of(ended.number);
-    const std::string seconds = row.run ? fmt::format(", {:.2g} s", row.run->wall_seconds) : "";
-    fmt::print("[{}/{}] {}{}: {}\n", table_.rows().size(), table_.comparison().members.size(),
-               table_.comparison().label(member), seconds, one_line(verdict(row)));
-    std::fflush(stdout);
-  }
-
-  const CompareOptions& options_;
-  const Running& running_;
-  const fs::path& folder_;
-  CompareTable& table_;
-  Children children_;
-};
 
 /// Draws the picture; its name, or nothing if there is none.
 std::string draw(const fs::path& folder) {

@@ -194,8 +194,12 @@ std::string flow_text(const Value& value) {
   YAML::Emitter out;
   out.SetSeqFormat(YAML::Flow);
   out.SetMapFormat(YAML::Flow);
+  out << YAML::BeginSeq;  // a text with a comma needs quotes only inside of one
   emit(out, value);
-  return out.c_str();
+  out << YAML::EndSeq;
+  const std::string list = out.c_str();
+  const auto first = list.find_first_not_of(' ', 1);
+  return list.substr(first, list.size() - first - 1);
 }
 
 std::string block_text(const Value& value) {

@@ -33,7 +33,7 @@ struct Value::Entry {
   Value value;
 };
 
-/// A value as YAML in one line, and as a file's text.
+/// A value as YAML in one line, as it may stand in a list; and as a file's text.
 std::string flow_text(const Value& value);
 std::string block_text(const Value& value);
 

@@ -153,6 +153,24 @@ TEST(Compare, CanBeMadeAgainFromItsFile) {
             place.file("out/runs/04-potential-41/history.csv"));
 }
 
+/// Commas, quotes, spaces and what a shell would act on.
+TEST(Compare, HandsValuesOnUnchanged) {
+  const Place place;
+  const Outcome outcome =
+      place.compare({"--vary", "initial.density=\"max(1, x)\",\"x > 1 && $(x) < 2 ? 1 : 2\""});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.errors, HasSubstr("in the member initial.density = \"x > 1"));
+  EXPECT_EQ(place
+                .compare({"--vary", "initial.density=\"max(1, x)\",\"x > 1 ? 1 : 2\"", "--vary",
+                          "units=SI,none"})
+                .exit_code,
+            0);
+  EXPECT_THAT(place.file("out/compare.csv"),
+              AllOf(HasSubstr("\n\"\"\"max(1, x)\"\"\",SI,"), HasSubstr(",none,")));
+  EXPECT_THAT(place.file("out/runs/01-max_1_x-SI/run.yaml"), HasSubstr("density: \"max(1, x)\""));
+  EXPECT_THAT(place.file("out/runs/03-x_1_1_2-SI/run.yaml"), HasSubstr("\"x > 1 ? 1 : 2\""));
+}
+
 TEST(Compare, DoesNotOverwriteUnlessAsked) {
   const Place place;
   EXPECT_EQ(place.compare(both_forms).exit_code, 1);

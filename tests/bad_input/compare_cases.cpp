@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(
         expecting("orders_crossed", "@{field: velocity, least_order: 2, highest_order: 1}",
                   "must not lie above"),
         expecting("select_is_a_word", "{select: @mps, error: 1}", "'select' must be a section"),
-        expecting("select_nothing", "{select: {@operator: }, fails_after: 1}",
+        expecting("select_nothing", "{select: {operator: @}, fails_after: 1}",
                   "'operator' must have a value")),
     by_label);
 
