@@ -60,12 +60,12 @@ class Table:
 
     def words(self, values):
         """The values of a line, and which of its members failed when."""
-        failed = [member for member in self.lines[values] if member.failed]
-        times = [f"{float(m.row['time']):.4g}" if m.row["time"] else "no result" for m in failed]
-        if self.refinement:
-            times = [f"{time} ({m.resolution:g})" for m, time in zip(failed, times)]
-        text = ", ".join(values) or "all"
-        return f"{text}: failed at t = {', '.join(times)}" if failed else text
+        failed = [(member.row["time"], f" ({member.resolution:g})" * bool(self.refinement))
+                  for member in self.lines[values] if member.failed]
+        times = ", ".join(f"{float(time):.4g}{at}" for time, at in failed if time)
+        lost = ", ".join(f"no result{at}" for time, at in failed if not time)
+        words = [f"failed at t = {times}"] * bool(times) + [lost] * bool(lost)
+        return ": ".join([", ".join(values) or "all"] + ["; ".join(words)] * bool(words))
 
     def resolutions(self):
         """All there are, the coarsest first."""

@@ -26,6 +26,11 @@ std::string cell(std::optional<double> number, const char* format) {
   return number && std::isfinite(*number) ? fmt::format(fmt::runtime(format), *number) : no_value;
 }
 
+std::string order_cell(std::optional<double> order) {
+  const std::string text = cell(order, "{:.2f}");
+  return text == "-0.00" ? "0.00" : text;
+}
+
 Words header(const CompareTable& table) {
   const Comparison& comparison = table.comparison();
   Words names;
@@ -48,7 +53,7 @@ Words cells_of(const CompareTable& table, const Row& row) {
   for (const std::string& field : table.fields()) {
     const ErrorNorms* error = row.error(field);
     cells.push_back(cell(error != nullptr ? std::optional(error->l2) : std::nullopt, "{:.2e}"));
-    if (comparison.refinement) cells.push_back(cell(table.order(row, field, l2), "{:.2f}"));
+    if (comparison.refinement) cells.push_back(order_cell(table.order(row, field, l2)));
   }
   cells.push_back(row.run ? cell(row.run->wall_seconds, "{:.2g}") : no_value);
   const auto drift = row.largest_drift();
