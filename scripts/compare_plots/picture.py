@@ -127,7 +127,9 @@ def place_legend(figure, free, handles):
 
 def draw(folder, table):
     profiles = Profiles(table)
-    summary = read_summary(profiles.members[0].folder)
+    # The first that has one: a run that was killed does not.
+    summary = read_summary(min((member.folder for member in profiles.members),
+                               key=lambda own: not (own / "summary.json").exists()))
     below = sorted(table.fields, key="position".__eq__) if table.refinement else []
     figure, grid = make_grid(2 if below else 1, max(len(profiles.fields), len(below)))
     arrange(figure, grid, (4.2, 2.9), (0.85, 0.6))

@@ -65,7 +65,7 @@ class Table:
         times = ", ".join(f"{float(time):.4g}{at}" for time, at in failed if time)
         lost = ", ".join(f"no result{at}" for time, at in failed if not time)
         words = [f"failed at t = {times}"] * bool(times) + [lost] * bool(lost)
-        return ": ".join([", ".join(values) or "all"] + ["; ".join(words)] * bool(words))
+        return ": ".join([", ".join(values) or "mote"] + ["; ".join(words)] * bool(words))
 
     def resolutions(self):
         """All there are, the coarsest first."""
