@@ -127,6 +127,17 @@ std::string how_it_ran(const Running& running) {
       running.jobs, threads);
 }
 
+/// What the columns of the table are.
+std::string legend(const CompareTable& table) {
+  std::string text;
+  if (!table.fields().empty())
+    text += "Errors are relative L2 errors at the end against the exact solution. ";
+  if (const auto refined = table.comparison().refinement)
+    text += fmt::format("An order is that from the next coarser `{}`. ",
+                        table.comparison().vary[*refined].path);
+  return text + "A drift is the largest relative change of a conserved quantity.\n";
+}
+
 /// Characters on a terminal, not bytes.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(
@@ -154,13 +165,7 @@ std::string compare_markdown(const CompareTable& table, const Running& running,
   std::string text = fmt::format("# {}: a comparison\n\n{} {}\n", comparison.name,
                                  what_was_varied(comparison), outcome(table, checks));
   if (!picture.empty()) text += fmt::format("\n![the members compared]({})\n", picture);
-  text += fmt::format(
-      "\nErrors are relative L2 errors at the end against the exact solution{}; a drift is the "
-      "largest relative change of a conserved quantity.\n\n{}",
-      comparison.refinement ? fmt::format(", and an order is that from the next coarser `{}`",
-                                          comparison.vary[*comparison.refinement].path)
-                            : "",
-      markdown_table(table));
+  text += "\n" + legend(table) + "\n" + markdown_table(table);
   text += checks_markdown(checks);
   text += "\n## Cost\n\n" + how_it_ran(running);
   text +=
