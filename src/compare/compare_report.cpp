@@ -165,9 +165,9 @@ std::string compare_markdown(const CompareTable& table, const Running& running,
   std::string text = fmt::format("# {}: a comparison\n\n{} {}\n", comparison.name,
                                  what_was_varied(comparison), outcome(table, checks));
   if (!picture.empty()) text += fmt::format("\n![the members compared]({})\n", picture);
-  text += "\n" + legend(table) + "\n" + markdown_table(table);
+  text += fmt::format("\n{}\n{}", legend(table), markdown_table(table));
   text += checks_markdown(checks);
-  text += "\n## Cost\n\n" + how_it_ran(running);
+  text += fmt::format("\n## Cost\n\n{}", how_it_ran(running));
   text +=
       "\nEvery run has its own folder in `runs/`, with a report; all numbers are in `compare.csv`."
       "\n`mote compare compare.yaml` makes the same comparison again.\n";
