@@ -51,6 +51,24 @@ class Commands {
     add_file_and_output(*run_command, run_, "scenario, a YAML file");
     add_strict(*run_command, run_);
 
+    CLI::App* compare_command =
+        add(app, "compare", "run a scenario with all combinations of values",
+            [this] { return compare(catalogue_, compare_); });
+    compare_command->footer(
+        "The threads are shared out among the runs. The exit code is 0 if every run passed its "
+        "own\n"
+        "checks, but for those whose numerics must break down, and every expectation of the "
+        "file's\n"
+        "section 'compare' holds, otherwise 1.");
+    add_file_and_output(*compare_command, compare_, "scenario, a YAML file");
+    compare_command
+        ->add_option("--vary", compare_.variations,
+                     "key.path=value,value,..., in place of the file's values of that key")
+        ->take_all()
+        ->expected(1);
+    compare_command->add_option("--jobs", compare_.jobs, "runs at a time (default: by processors)")
+        ->check(CLI::Range(1, 4096));
+
     CLI::App* study_command = add(app, "study", "measure operators on points, without time",
                                   [this] { return study(catalogue_, run_); });
     add_file_and_output(*study_command, run_, "study, a YAML file");
@@ -97,6 +115,7 @@ class Commands {
 
   const Catalogue& catalogue_;
   RunOptions run_;
+  CompareOptions compare_;
   ExportOptions export_;
   std::string what_, schema_of_ = "scenario";
   int exit_code_ = 0;

@@ -20,6 +20,12 @@ struct RunOptions {
   bool strict = false;  ///< whether warnings are errors
 };
 
+/// Options of `mote compare`.
+struct CompareOptions : RunOptions {
+  std::vector<std::string> variations;  ///< of --vary, `key.path=value,value,...`
+  int jobs = 0;                         ///< 0: as many as there are processors and memory for
+};
+
 struct ExportOptions {
   std::string folder;
   std::string frame = "last";
@@ -31,6 +37,7 @@ struct ExportOptions {
 /// InputError for bad input.
 int run(const Catalogue& catalogue, const RunOptions& options);
 int study(const Catalogue& catalogue, const RunOptions& options);
+int compare(const Catalogue& catalogue, const CompareOptions& options);
 int check(const Catalogue& catalogue, const RunOptions& options);
 int resume(const Catalogue& catalogue, const RunOptions& options);
 int export_frame(const ExportOptions& options);

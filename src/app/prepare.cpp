@@ -16,6 +16,13 @@ Document read_document(const RunOptions& options) {
   return document;
 }
 
+Document read_scenario_document(const RunOptions& options) {
+  Document document = read_document(options);
+  if (is_study(document))
+    throw LocatedError(options.file, "this is a study and not a scenario: mote study runs it");
+  return document;
+}
+
 std::filesystem::path output_folder(const RunOptions& options, const std::string& name) {
   namespace fs = std::filesystem;
   if (options.out && options.out->empty()) throw InputError("--out: a folder must have a name");
@@ -28,9 +35,7 @@ std::filesystem::path output_folder(const RunOptions& options, const std::string
 }
 
 Simulation prepare_simulation(const Catalogue& catalogue, const RunOptions& options) {
-  const Document document = read_document(options);
-  if (is_study(document))
-    throw LocatedError(options.file, "this is a study and not a scenario: mote study runs it");
+  const Document document = read_scenario_document(options);
   Scenario scenario = read_scenario(document, catalogue);
   if (options.threads > 0)
     omp_set_num_threads(options.threads);

@@ -15,6 +15,9 @@ Simulation prepare_simulation(const Catalogue& catalogue, const RunOptions& opti
 /// Reads the file of a command with its `--set`. Throws LocatedError.
 Document read_document(const RunOptions& options);
 
+/// The same for a command that runs scenarios: refuses a study.
+Document read_scenario_document(const RunOptions& options);
+
 /// The folder that `--out` names, or else `results/<name>`, or the first of `<name>-2`, `<name>-3`,
 /// ... that is free.
 std::filesystem::path output_folder(const RunOptions& options, const std::string& name);

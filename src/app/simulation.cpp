@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 #include <omp.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
+#include "mote/app/physical_memory.hpp"
 #include "mote/particles/failure.hpp"
 #include "mote/scenario/located_error.hpp"
 
@@ -109,8 +109,7 @@ Simulation::Simulation(const Document& document, Scenario scenario, const Catalo
 }
 
 void Simulation::refuse_what_does_not_fit() const {
-  const double there =
-      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  const double there = physical_memory();
   if (bytes_needed_ > there)
     throw InputError("particles.count",
                      fmt::format("{} particles need about {:.0f} GB, this machine has {:.0f}",

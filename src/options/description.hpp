@@ -39,6 +39,13 @@ struct Choice {
 };
 using Choices = std::vector<Choice>;
 
+/// A dotted key path of a file, and values that it can have, each as YAML in one line.
+struct PathValues {
+  std::string path;
+  std::vector<std::string> values;
+};
+enum class Values { one, several };
+
 /// How a part of mote says, once, which options it takes. A scenario file is read, written with
 /// every default filled in, and turned into a JSON Schema by three implementations of this
 /// interface, so the three cannot disagree.
@@ -73,7 +80,19 @@ class Description {
   virtual void words(const Key& key, std::vector<std::string>& values, const Choices& choices) = 0;
   /// Named numbers that later expressions may use.
   virtual void constants(const Key& key, std::vector<std::pair<std::string, double>>& values) = 0;
+  /// Key paths of the file itself, each with one value of any kind, or with a list of several.
+  virtual void paths(const Key& key, std::vector<PathValues>& paths, Values values) = 0;
 };
+
+/// A list of sections of one type, in a vector that grows as they are described.
+template <class Item, class Body>
+void describe_list(Description& description, const Key& key, std::vector<Item>& items, Body body) {
+  std::size_t count = items.size();
+  description.list(key, count, [&](std::size_t k) {
+    if (items.size() <= k) items.resize(k + 1);
+    body(items[k]);
+  });
+}
 
 /// One value of an enumeration with its word in a scenario file.
 template <class Enumeration>

@@ -44,18 +44,30 @@ std::vector<std::int64_t> frames_in(const fs::path& folder) {
   return frames;
 }
 
+std::vector<fs::path> snapshots_in(const fs::path& folder) {
+  std::vector<fs::path> snapshots;
+  for (const std::int64_t frame : frames_in(folder))
+    snapshots.push_back(folder / "snapshots" / name_of_frame(frame));
+  return snapshots;
+}
+
 }  // namespace
 
 OutputFolder OutputFolder::create(const fs::path& path, Existing existing) {
   OutputFolder folder(path);
   ClaimedFolder claimed(path, existing, run_folder);
-  std::vector<fs::path> snapshots;
-  for (const std::int64_t frame : frames_in(path))
-    snapshots.push_back(path / "snapshots" / name_of_frame(frame));
-  claimed.remove_former(snapshots);
+  claimed.remove_former(snapshots_in(path));
   folder.lock_ = claimed.take_lock();
   make_folder(path / "snapshots");
   return folder;
+}
+
+void OutputFolder::remove(const fs::path& path) {
+  ClaimedFolder claimed(path, Existing::replace, run_folder);
+  claimed.remove_former(snapshots_in(path));
+  std::error_code ignored;  // a folder with files of somebody else stays
+  fs::remove(path / "snapshots", ignored);
+  fs::remove(path, ignored);
 }
 
 OutputFolder OutputFolder::open(const fs::path& path) {

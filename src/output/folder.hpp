@@ -34,6 +34,10 @@ class OutputFolder {
   /// The same to go on writing, with other runs kept out.
   static OutputFolder reopen(const std::filesystem::path& path);
 
+  /// Removes the output of a run, and the folder if nothing else is in it. Throws InputError if it
+  /// is not one.
+  static void remove(const std::filesystem::path& path);
+
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path file(const std::string& name) const { return path_ / name; }
   std::filesystem::path snapshot(std::int64_t frame) const;

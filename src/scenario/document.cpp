@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <yaml-cpp/depthguard.h>
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
@@ -86,20 +87,83 @@ std::optional<YAML::Mark> indenting_tab(const std::string& text) {
   return std::nullopt;
 }
 
+/// Refuses a second document. It must be met while the first is read: behind `[a], [b]` the parser
+/// finds documents without end.
+class OneDocument final : public YAML::EventHandler {
+ public:
+  explicit OneDocument(const Place& place) : place_(place) {}
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (documents_++ > 0)
+      throw LocatedError(place_(mark).text,
+                         "a second YAML document begins here; one file is one scenario");
+  }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                  YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+
+ private:
+  const Place& place_;
+  int documents_ = 0;
+};
+
+void refuse_second_document(const std::string& text, const Place& place) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  OneDocument handler(place);
+  while (parser.HandleNextDocument(handler)) {
+  }
+}
+
 /// Parses one YAML document, turning the library's exceptions into ours.
 Value parse(const std::string& text, const Place& place) {
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.size() > 1)
-      throw LocatedError(place(documents[1].Mark()).text,
-                         "a second YAML document begins here; one file is one scenario");
-    return documents.empty() ? Value{} : Converter(place).convert(documents.front());
+    refuse_second_document(text, place);
+    const YAML::Node node = YAML::Load(text);
+    return node.IsDefined() ? Converter(place).convert(node) : Value{};
   } catch (const YAML::DeepRecursion& error) {
     throw LocatedError(place(error.mark).text, Converter::nested_too_deep);
   } catch (const YAML::Exception& error) {
     if (const auto tab = indenting_tab(text))
       throw LocatedError(place(*tab).text, "a tab indents this line; YAML indents by spaces");
     throw LocatedError(place(error.mark).text, "this is not YAML: " + error.msg);
+  }
+}
+
+bool has_sections(const Value& list) {
+  return std::ranges::any_of(list.list,
+                             [](const Value& item) { return item.kind == Value::Kind::section; });
+}
+
+void emit(YAML::Emitter& out, const Value& value) {
+  switch (value.kind) {
+    case Value::Kind::empty:
+      out << YAML::Null;
+      break;
+    case Value::Kind::word:
+      out << value.word;
+      break;
+    case Value::Kind::list:
+      if (!has_sections(value)) out << YAML::Flow;
+      out << YAML::BeginSeq;
+      for (const Value& item : value.list) out << YAML::Flow, emit(out, item);
+      out << YAML::EndSeq;
+      break;
+    case Value::Kind::section:
+      out << YAML::BeginMap;
+      for (const auto& entry : value.entries) {
+        out << YAML::Key << entry.key << YAML::Value;
+        emit(out, entry.value);
+      }
+      out << YAML::EndMap;
   }
 }
 
@@ -117,6 +181,31 @@ std::string contents(const std::string& path) {
 const Value* Value::find(const std::string& key) const {
   const auto found = std::ranges::find(entries, key, &Entry::key);
   return found == entries.end() ? nullptr : &found->value;
+}
+
+std::vector<std::string> keys_of(const std::string& path) {
+  std::vector<std::string> keys;
+  std::istringstream words(path);
+  for (std::string key; std::getline(words, key, '.');) keys.push_back(key);
+  return keys;
+}
+
+std::string flow_text(const Value& value) {
+  YAML::Emitter out;
+  out.SetSeqFormat(YAML::Flow);
+  out.SetMapFormat(YAML::Flow);
+  out << YAML::BeginSeq;  // a text with a comma needs quotes only inside of one
+  emit(out, value);
+  out << YAML::EndSeq;
+  const std::string list = out.c_str();
+  const auto first = list.find_first_not_of(' ', 1);
+  return list.substr(first, list.size() - first - 1);
+}
+
+std::string block_text(const Value& value) {
+  YAML::Emitter out;
+  emit(out, value);
+  return std::string(out.c_str()) + "\n";
 }
 
 Document Document::from_file(const std::string& path) {
@@ -138,9 +227,18 @@ void Document::set(const std::string& assignment) {
   const auto equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0)
     throw LocatedError(origin.text, "this must have the form key.path=value");
+  set(keys_of(assignment.substr(0, equals)), parsed(assignment.substr(equals + 1), origin), origin);
+}
+
+Value Document::parsed(const std::string& text, const Origin& origin) {
+  Value value = parse(text, [&](const YAML::Mark&) { return origin; });
+  value.origin = origin;
+  return value;
+}
+
+void Document::set(const std::vector<std::string>& keys, Value given, const Origin& origin) {
   Value* value = &root_;
-  std::istringstream path(assignment.substr(0, equals));
-  for (std::string key; std::getline(path, key, '.');) {
+  for (const std::string& key : keys) {
     if (value->kind == Value::Kind::word) {
       value->short_form = value->word;
       value->origin = origin;
@@ -155,14 +253,19 @@ void Document::set(const std::string& assignment) {
     }
     value = &found->value;
   }
-  *value = parse(assignment.substr(equals + 1), [&](const YAML::Mark&) { return origin; });
-  value->origin = origin;
+  *value = std::move(given);
+}
+
+const Value* Document::find(const std::vector<std::string>& keys) const {
+  const Value* value = &root_;
+  for (const std::string& key : keys)
+    if (value != nullptr) value = value->find(key);
+  return value;
 }
 
 std::string Document::locate(const std::string& path) const {
   const Value* value = &root_;
-  std::istringstream keys(path);
-  for (std::string key; std::getline(keys, key, '.');) {
+  for (const std::string& key : keys_of(path)) {
     const Value* next = value->find(key);
     std::size_t item = 0;
     const auto parsed = std::from_chars(key.data(), key.data() + key.size(), item);

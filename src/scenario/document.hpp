@@ -33,6 +33,13 @@ struct Value::Entry {
   Value value;
 };
 
+/// A value as YAML in one line, as it may stand in a list; and as a file's text.
+std::string flow_text(const Value& value);
+std::string block_text(const Value& value);
+
+/// The keys of a dotted path.
+std::vector<std::string> keys_of(const std::string& path);
+
 /// A scenario file as strict YAML: yaml-cpp parses it, and duplicate keys, several documents and
 /// keys that are not words are refused here. Throws LocatedError.
 class Document {
@@ -43,7 +50,17 @@ class Document {
   /// file says.
   void set(const std::string& assignment);
 
+  /// The same with a value that is there already and its keys from the top, which may have dots in
+  /// them; `origin` says where the keys were written.
+  void set(const std::vector<std::string>& keys, Value value, const Origin& origin);
+
+  /// A YAML value that was written elsewhere, such as on the command line.
+  static Value parsed(const std::string& text, const Origin& origin);
+
   const Value& root() const { return root_; }
+
+  /// The value under these keys from the top; null if there is none.
+  const Value* find(const std::vector<std::string>& keys) const;
 
   /// Where the value of a dotted key path was written, or the nearest section around it; a number
   /// in the path is an item of a list, from 0.

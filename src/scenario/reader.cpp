@@ -334,4 +334,28 @@ void Reader::constants(const Key& key, std::vector<std::pair<std::string, double
   }
 }
 
+void Reader::paths(const Key& key, std::vector<PathValues>& paths, Values values) {
+  const Value* given = take(key);
+  if (given == nullptr) return;
+  const bool several = values == Values::several;
+  require(*given, Value::Kind::section,
+          fmt::format("'{}' must be a section of key paths, each with {}", key.name,
+                      several ? "a list of values, as in 'particles.count: [41, 81]'"
+                              : "a value, as in 'particles.count: 41'"));
+  paths.clear();
+  for (const auto& entry : given->entries) {
+    const std::string what = fmt::format("'{}' must have {}", entry.key,
+                                         several ? "a list of values, as in [a, b]" : "a value");
+    PathValues& path = paths.emplace_back(PathValues{entry.key, {}});
+    if (several) {
+      for (const Value& item : require(entry.value, Value::Kind::list, what).list)
+        path.values.push_back(flow_text(item));
+      if (path.values.empty()) refuse(entry.value, fmt::format("'{}' has no values", entry.key));
+    } else {
+      if (entry.value.kind == Value::Kind::empty) refuse(entry.value, what);
+      path.values.push_back(flow_text(entry.value));
+    }
+  }
+}
+
 }  // namespace mote

@@ -38,6 +38,7 @@ class Reader final : public Description {
   void expressions(const Key& key, std::vector<std::string>& values) override;
   void words(const Key& key, std::vector<std::string>& values, const Choices& choices) override;
   void constants(const Key& key, std::vector<std::pair<std::string, double>>& values) override;
+  void paths(const Key& key, std::vector<PathValues>& paths, Values values) override;
 
  private:
   /// A section that is being read.

@@ -73,7 +73,10 @@ std::string yaml_of(Scenario& scenario, const Catalogue& catalogue, Record recor
   out << YAML::BeginMap;
   Writer writer(out);
   describe(writer, scenario, catalogue);
-  if (record == Record::with) describe_record(writer, scenario);
+  if (record == Record::with) {
+    if (!scenario.compare.empty()) describe_comparison(writer, scenario.compare);
+    describe_record(writer, scenario);
+  }
   out << YAML::EndMap;
   return std::string(out.c_str()) + "\n";
 }
@@ -93,9 +96,11 @@ Scenario read_scenario(const Document& document, const Catalogue& catalogue) {
   Scenario scenario;
   Reader reader(document);
   describe(reader, scenario, catalogue);
+  describe_comparison(reader, scenario.compare);
   describe_record(reader, scenario);
   reader.finish();
   check_together(scenario, document);
+  check_comparison(scenario.compare, document);
   fill_defaults(scenario);
   return scenario;
 }

@@ -8,6 +8,7 @@
 
 #include "mote/catalogue/catalogue.hpp"
 #include "mote/options/description.hpp"
+#include "mote/scenario/comparison_section.hpp"
 #include "mote/scenario/document.hpp"
 #include "mote/scenario/expression.hpp"
 #include "mote/scenario/operator_choice.hpp"
@@ -70,11 +71,13 @@ struct Scenario {
     const Checks& of(Frame frame) const;
   } check;
 
+  ComparisonSection compare;  ///< for `mote compare` alone; no run depends on it
+
   Constants constants_by_name() const { return {constants.begin(), constants.end()}; }
 };
 
-/// Says what a scenario file holds, but for version and threads; the entries come from the
-/// catalogue.
+/// Says what a scenario file holds, but for what a run does not depend on: version, threads and the
+/// section `compare`; the entries come from the catalogue.
 void describe(Description& description, Scenario& scenario, const Catalogue& catalogue);
 
 /// Says how a scenario was run: the keys `version` and `threads`.

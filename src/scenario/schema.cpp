@@ -83,6 +83,13 @@ class SchemaWriter final : public Description {
   void constants(const Key& key, std::vector<std::pair<std::string, double>>&) override {
     add(key, {{"type", "object"}, {"additionalProperties", numeric("number", {})}}, Json());
   }
+  void paths(const Key& key, std::vector<PathValues>&, Values values) override {
+    const Json list = {{"type", "array"}, {"minItems", 1}};
+    add(key,
+        {{"type", "object"},
+         {"additionalProperties", values == Values::several ? list : Json(true)}},
+        Json());
+  }
 
  private:
   /// The schema of a section, with the short form that a variant in it allows.
@@ -159,6 +166,7 @@ std::string scenario_schema(const Catalogue& catalogue) {
   return schema_of("mote scenario", [&](Description& description) {
     Scenario scenario;
     describe(description, scenario, catalogue);
+    describe_comparison(description, scenario.compare);
     describe_record(description, scenario);
   });
 }

@@ -1,6 +1,7 @@
 #include "mote/scenario/writer.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <yaml-cpp/yaml.h>
 
 namespace mote {
@@ -83,6 +84,17 @@ void Writer::constants(const Key& key, std::vector<std::pair<std::string, double
   if (values.empty()) return;
   section(key, [&] {
     for (auto& [name, value] : values) number({name, ""}, value, {});
+  });
+}
+
+void Writer::paths(const Key& key, std::vector<PathValues>& paths, Values values) {
+  if (paths.empty()) return;
+  section(key, [&] {
+    for (const auto& [path, texts] : paths) {
+      const std::string list = fmt::format("[{}]", fmt::join(texts, ", "));
+      const YAML::Node node = YAML::Load(values == Values::several ? list : texts.front());
+      out_ << YAML::Key << path << YAML::Value << node;
+    }
   });
 }
 

@@ -32,6 +32,7 @@ class Writer final : public Description {
   void expressions(const Key& key, std::vector<std::string>& values) override;
   void words(const Key& key, std::vector<std::string>& values, const Choices& choices) override;
   void constants(const Key& key, std::vector<std::pair<std::string, double>>& values) override;
+  void paths(const Key& key, std::vector<PathValues>& paths, Values values) override;
 
  private:
   void entry(const std::string& key, const std::string& word);

@@ -4,16 +4,6 @@
 namespace mote {
 namespace {
 
-/// A list of sections of one type, in a vector that grows as they are described.
-template <class Item, class Body>
-void describe_list(Description& d, const Key& key, std::vector<Item>& items, Body body) {
-  std::size_t count = items.size();
-  d.list(key, count, [&](std::size_t k) {
-    if (items.size() <= k) items.resize(k + 1);
-    body(items[k]);
-  });
-}
-
 Choices layouts_in(const Catalogue& catalogue) {
   Choices choices = choices_of(catalogue.layouts);
   for (const Choice& lattice : lattice_layouts()) choices.push_back(lattice);

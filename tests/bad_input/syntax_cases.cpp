@@ -16,7 +16,7 @@ const std::vector<ScenarioCase> not_a_scenario{
     {"scalar_at_top", "@hello\n", "a scenario is a section of keys"},
     {"list_at_top", "@- name: base\n- dimension: 1\n", "a scenario is a section of keys"},
     {"flow_list_at_top", "@[name, base]\n", "a scenario is a section of keys"},
-    {"two_documents", lines({}) + "---\n@" + lines({}), "a second YAML document begins here"},
+    {"two_documents", lines({}) + "@---\n" + lines({}), "a second YAML document begins here"},
     {"key_is_a_list", "? @[name]\n: base\n", "a key must be a single word"},
     {"key_is_nothing", line(12, "output: {@~: 1}"), "a key must be a single word"},
     {"merge_key", line(5, "@<<: {count: 41}\nparticles: {count: 41}"), "unknown key '<<'"}};

@@ -74,6 +74,37 @@ TEST(Scenario, FingerprintTellsScenariosApartButNotThreads) {
   EXPECT_NE(fingerprint(plain, catalogue), fingerprint(other, catalogue));
 }
 
+const std::string comparison =
+    "compare={vary: {operator: [mps, {family: sph, kernel: lucy}], particles.count: [21, 41]}, "
+    "expect: [{select: {particles.count: 21}, field: velocity, norm: max, least_order: 1.5}, "
+    "{fails_after: 0, fails_before: 2}]}";
+
+TEST(Comparison, ReadsBackFromTheResolvedText) {
+  const Catalogue catalogue = standard_catalogue();
+  Scenario first = scenario({comparison});
+  EXPECT_EQ(first.compare.vary[0].values,
+            (std::vector<std::string>{"mps", "{family: sph, kernel: lucy}"}));
+  EXPECT_EQ(first.compare.expect[0].select[0].path, "particles.count");
+  const std::string resolved = resolved_yaml(first, catalogue);
+  Scenario second = read_scenario(document(resolved), catalogue);
+  EXPECT_EQ(resolved_yaml(second, catalogue), resolved);
+  EXPECT_EQ(second.compare.expect[0].norm, "max");
+  EXPECT_EQ(second.compare.expect[1].fails_before, 2);
+}
+
+TEST(Comparison, IsNoPartOfTheRun) {
+  const Catalogue catalogue = standard_catalogue();
+  Scenario plain = scenario(), compared = scenario({comparison});
+  EXPECT_EQ(fingerprint(plain, catalogue), fingerprint(compared, catalogue));
+  EXPECT_EQ(resolved_yaml(plain, catalogue).find("compare"), std::string::npos);
+}
+
+TEST(FlowText, ReadsBackToTheSameValue) {
+  for (const std::string text : {"mps", "{family: sph, kernel: gauss}", "[1, [2, a b], {c: [3]}]",
+                                 "\"a, b\"", "\"\"", "~", "\"x: [\"", "1e-3", "\"{\"", "[]", "{}"})
+    EXPECT_EQ(flow_text(Document::parsed(text, {})), text);
+}
+
 TEST(Suggestion, IsTheClosestWordIfCloseEnough) {
   EXPECT_EQ(suggestion("partcles", {"domain", "particles"}), " (did you mean 'particles'?)");
   EXPECT_EQ(suggestion("viscosity", {"domain", "particles"}), "");

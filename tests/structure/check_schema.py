@@ -33,6 +33,9 @@ def wrong_scenarios(good):
     yield "text for a section", changed(lambda s: s.update(domain="here"))
     yield "unknown model", changed(lambda s: s["model"].update(type="solid"))
     yield "unknown kernel", changed(lambda s: s.update(operator={"family": "sph", "kernel": "x"}))
+    yield "one value to vary", changed(lambda s: s.update(compare={"vary": {"operator": "mps"}}))
+    yield "no value to vary", changed(lambda s: s.update(compare={"vary": {"operator": []}}))
+    yield "unknown norm", changed(lambda s: s.update(compare={"expect": [{"norm": "l3"}]}))
     yield "kernel for mps", changed(lambda s: s.update(operator={"family": "mps", "kernel": "lucy"}))
 
 

@@ -54,6 +54,7 @@ class Settings final : public Description {
   void expressions(const Key&, std::vector<std::string>&) override {}
   void words(const Key&, std::vector<std::string>&, const Choices&) override {}
   void constants(const Key&, std::vector<std::pair<std::string, double>>&) override {}
+  void paths(const Key&, std::vector<PathValues>&, Values) override {}
 
  private:
   std::map<std::string, double> numbers_;
