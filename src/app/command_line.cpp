@@ -66,6 +66,7 @@ class Commands {
                      "key.path=value,value,..., in place of the file's values of that key")
         ->take_all()
         ->expected(1);
+    add_strict(*compare_command, compare_);
     compare_command->add_option("--jobs", compare_.jobs, "runs at a time (default: by processors)")
         ->check(CLI::Range(1, 4096));
 

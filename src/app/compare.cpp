@@ -34,9 +34,9 @@ const FolderKind compare_folder{"comparison",
 
 /// Makes a member as a run would, without running it; notes what the comparison must know of it.
 /// Returns the memory that it needs.
-double try_member(const Document& document, const Catalogue& catalogue,
+double try_member(const Document& document, const Catalogue& catalogue, bool strict,
                   const Comparison& comparison, Member& member) {
-  const Simulation simulation(document, read_scenario(document, catalogue), catalogue);
+  const Simulation simulation(document, read_scenario(document, catalogue), catalogue, strict);
   const Scenario& scenario = simulation.scenario();
   if (comparison.refinement)
     member.spacing = spacing_along(comparison.vary[*comparison.refinement].path, scenario);
@@ -48,12 +48,13 @@ double try_member(const Document& document, const Catalogue& catalogue,
 
 /// All members, one after the other. Throws LocatedError for the first that cannot be. Returns the
 /// memory that the largest needs.
-double try_members(const Document& base, const Catalogue& catalogue, Comparison& comparison) {
+double try_members(const Document& base, const Catalogue& catalogue, bool strict,
+                   Comparison& comparison) {
   double largest = 0;
   for (Member& member : comparison.members) {
     const Document document = document_of(base, comparison, member);
     try {
-      largest = std::max(largest, try_member(document, catalogue, comparison, member));
+      largest = std::max(largest, try_member(document, catalogue, strict, comparison, member));
     } catch (const LocatedError& error) {
       throw LocatedError(error, fmt::format(" (in the member {})", comparison.label(member)));
     }
@@ -120,7 +121,7 @@ int compare(const Catalogue& catalogue, const CompareOptions& options) {
                        "nothing is varied: give --vary key=value,value,... or a section 'compare' "
                        "with a section 'vary'");
   Comparison comparison = comparison_of(scenario.name, scenario.compare);
-  const double largest = try_members(document, catalogue, comparison);
+  const double largest = try_members(document, catalogue, options.strict, comparison);
   check_expectations(comparison, document);
 
   const fs::path folder = output_folder(options, scenario.name + "-compare");

@@ -27,6 +27,7 @@ std::vector<std::string> MemberRuns::arguments_of(const Member& member) const {
     arguments.insert(arguments.end(), {"--set", assignment});
   arguments.insert(arguments.end(), {"--threads", std::to_string(running_.threads), "--quiet",
                                      "--overwrite", "--out", (folder_ / member.folder).string()});
+  if (options_.strict) arguments.emplace_back("--strict");
   return arguments;
 }
 

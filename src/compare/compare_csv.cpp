@@ -37,13 +37,6 @@ Words header(const CompareTable& table) {
   return names;
 }
 
-std::string drift_of(const Row& row, const std::string& quantity) {
-  if (row.run)
-    for (const Drift& drift : row.run->conservation)
-      if (drift.quantity == quantity) return cell(drift.drift);
-  return "";
-}
-
 Words cells_of(const CompareTable& table, const Row& row) {
   const Member& member = table.comparison().members[row.member];
   Words cells;
@@ -59,7 +52,7 @@ Words cells_of(const CompareTable& table, const Row& row) {
     }
   cells.push_back(row.run ? cell(row.run->wall_seconds) : "");
   cells.push_back(row.run ? cell(row.updates_per_second) : "");
-  for (const std::string& quantity : table.quantities()) cells.push_back(drift_of(row, quantity));
+  for (const std::string& quantity : table.quantities()) cells.push_back(cell(row.drift(quantity)));
   cells.insert(cells.end(),
                {row.passed ? "true" : "false", cell(row.failure()), cell(member.folder)});
   return cells;

@@ -40,7 +40,7 @@ Words header(const CompareTable& table) {
     if (comparison.refinement) names.emplace_back("order");
   }
   names.emplace_back("wall s");
-  if (!table.quantities().empty()) names.emplace_back("largest drift");
+  for (const std::string& quantity : table.quantities()) names.push_back(quantity + " drift");
   names.emplace_back("verdict");
   return names;
 }
@@ -56,9 +56,8 @@ Words cells_of(const CompareTable& table, const Row& row) {
     if (comparison.refinement) cells.push_back(order_cell(table.order(row, field, l2)));
   }
   cells.push_back(row.run ? cell(row.run->wall_seconds, "{:.2g}") : no_value);
-  const auto drift = row.largest_drift();
-  if (!table.quantities().empty())
-    cells.push_back(cell(drift ? std::optional(std::abs(*drift)) : std::nullopt, "{:.1e}"));
+  for (const std::string& quantity : table.quantities())
+    cells.push_back(cell(row.drift(quantity), "{:.1e}"));
   return cells;
 }
 
@@ -135,7 +134,7 @@ std::string legend(const CompareTable& table) {
   if (const auto refined = table.comparison().refinement)
     text += fmt::format("An order is that from the next coarser `{}`. ",
                         table.comparison().vary[*refined].path);
-  return text + "A drift is the largest relative change of a conserved quantity.\n";
+  return text + "A drift is the change of a conserved quantity relative to its size.\n";
 }
 
 /// Characters on a terminal, not bytes.

@@ -47,10 +47,10 @@ const ErrorNorms* Row::error(const std::string& field) const {
   return found == run->errors.end() ? nullptr : &*found;
 }
 
-std::optional<double> Row::largest_drift() const {
-  if (!run || run->conservation.empty()) return std::nullopt;
-  return std::ranges::max(run->conservation, {}, [](const Drift& d) { return std::abs(d.drift); })
-      .drift;
+std::optional<double> Row::drift(const std::string& quantity) const {
+  if (!run) return std::nullopt;
+  const auto found = std::ranges::find(run->conservation, quantity, &Drift::quantity);
+  return found == run->conservation.end() ? std::nullopt : std::optional(found->drift);
 }
 
 const Norm& norm_named(const std::string& name) {

@@ -25,8 +25,8 @@ struct Row {
   /// What kept the run from its end; empty if nothing did.
   const std::string& failure() const;
   const ErrorNorms* error(const std::string& field) const;
-  /// The drift of largest size; nothing without conserved quantities.
-  std::optional<double> largest_drift() const;
+  /// The drift of a conserved quantity; nothing where there is none.
+  std::optional<double> drift(const std::string& quantity) const;
 };
 
 /// A norm of errors with its name.

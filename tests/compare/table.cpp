@@ -86,8 +86,8 @@ TEST(CompareReport, ShowsFailuresAndWhatIsBetweenBars) {
   EXPECT_THAT(text, HasSubstr("2 runs of one scenario, with `o` over 2 values. **1 of 2 runs did "
                               "not pass.**"));
   EXPECT_THAT(text, HasSubstr("](compare.png)"));
-  EXPECT_THAT(text, HasSubstr("\n| `a\\|b` | 4.00e+00 | 0.5 | 1.0e-01 | passed |\n"));
-  EXPECT_THAT(text, HasSubstr("\n| `c` | – | 0 | – | **failed at t = 1.5: gone** |\n"));
+  EXPECT_THAT(text, HasSubstr("\n| `a\\|b` | 4.00e+00 | 0.5 | 0.0e+00 | -1.0e-01 | passed |\n"));
+  EXPECT_THAT(text, HasSubstr("\n| `c` | – | 0 | – | – | **failed at t = 1.5: gone** |\n"));
   EXPECT_THAT(text, HasSubstr("Up to 2 runs were made beside each other, on 3 threads each."));
   EXPECT_THAT(compare_markdown(table, {1, 1}, ""), Not(HasSubstr("png")));
 }
@@ -95,9 +95,9 @@ TEST(CompareReport, ShowsFailuresAndWhatIsBetweenBars) {
 TEST(CompareText, HasColumnsOfOneWidth) {
   const Comparison made = comparison({{"operator", {"sph.gauss", "mps"}}});
   EXPECT_EQ(compare_text(table_of(made, {passed(0, 4), broken(1, 1.5, "gone")})),
-            "operator   velocity L2  wall s  largest drift  verdict\n"
-            "sph.gauss  4.00e+00     0.5     1.0e-01        passed\n"
-            "mps        –            0       –              failed at t = 1.5: gone\n");
+            "operator   velocity L2  wall s  mass drift  energy drift  verdict\n"
+            "sph.gauss  4.00e+00     0.5     0.0e+00     -1.0e-01      passed\n"
+            "mps        –            0       –           –             failed at t = 1.5: gone\n");
 }
 
 TEST(Row, ReadsTheCertificateOfARun) {
@@ -112,7 +112,8 @@ TEST(Row, ReadsTheCertificateOfARun) {
   EXPECT_THAT(row.failed_checks, testing::ElementsAre("bad"));
   EXPECT_EQ(row.error("velocity")->max, 6);
   EXPECT_DOUBLE_EQ(row.updates_per_second, 820);
-  EXPECT_DOUBLE_EQ(*row.largest_drift(), -0.1);
+  EXPECT_DOUBLE_EQ(*row.drift("energy"), -0.1);
+  EXPECT_FALSE(row.drift("momentum"));
   EXPECT_EQ(row_of(7, folder.path(), "killed").failure(), "killed");
 }
 
