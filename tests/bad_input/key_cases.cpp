@@ -54,7 +54,7 @@ const std::vector<ScenarioCase> unknown_words{
     {"family", line(10, "operator: {family: @spf, kernel: gauss}"), "(did you mean 'sph'?)"},
     {"kernel", line(10, "operator: {family: sph, kernel: @gaus}"), "(did you mean 'gauss'?)"},
     {"kernel_in_short", line(10, "operator: @sph.gaus"), "(did you mean 'gauss'?)"},
-    {"family_in_short", line(10, "operator: @vortex"), "there are: sph, corrected_sph, "},
+    {"family_in_short", line(10, "operator: @vortex"), "there are: sph, morris, "},
     {"third_word_in_short", line(10, "operator: @sph.gauss.fast"), "'fast'"},
     {"kernel_of_mps_in_short", line(10, "operator: @mps.gauss"), "'gauss'"},
     {"layout", line(5, "particles: {layout: @reglar, count: 41}"), "(did you mean 'regular'?)"},

@@ -114,12 +114,6 @@ TEST_P(BadPlan, IsRefused) { expect_refused(); }
 const std::vector<ScenarioCase> bad_plans{
     {"step_beyond_the_stability_limit", step("8"),
      "the step 8 is beyond the stability limit 7.306"},
-    {"step_beyond_the_limit_of_viscosity",
-     lines({{9, "model: {type: pressureless_gas, viscosity: 10}"},
-            {11, "time: {step: @0.01, end: 1}"},
-            {14, "  against: nothing"},
-            {15, ""}}),
-     "shortest cell^2/(2 viscosity)"},
     {"too_many_steps", step("1e-13"), "are more than 1e12"},
     {"end_beyond_the_exact_solution", end("30"),
      "the exact solution gravitating_sheets ends at t = 7.30596, before the run does at t = 30"},
