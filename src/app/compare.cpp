@@ -83,17 +83,17 @@ bool is_of_a_member(const fs::path& path) {
                      [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-/// Removes the runs of a former comparison, and nothing else.
+/// Removes the runs of a former comparison with their logs, and nothing else.
 void remove_former_runs(const fs::path& folder) {
   std::vector<fs::path> paths;
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(folder / "runs", none))
-    if (is_of_a_member(entry.path())) paths.push_back(entry.path());
-  for (const fs::path& path : paths)
-    if (path.extension() == ".log")
-      fs::remove(path);
-    else if (fs::exists(path / "run.yaml"))
-      OutputFolder::remove(path);
+    if (is_of_a_member(entry.path()) && OutputFolder::is_one(entry.path()))
+      paths.push_back(entry.path());
+  for (const fs::path& path : paths) {
+    OutputFolder::remove(path);
+    fs::remove(path.string() + ".log", none);
+  }
 }
 
 /// Draws the picture; its name, or nothing if there is none.

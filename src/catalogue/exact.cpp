@@ -1,5 +1,7 @@
 #include "mote/catalogue/exact.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "mote/catalogue/refined.hpp"
@@ -18,6 +20,10 @@ std::unique_ptr<ExactSolution> sheets_from(const ExactSetup& setup) {
     throw InputError("check.against", "gravitating_sheets solves the model pressureless_gas alone");
   if (parameters.at("viscosity") != 0)
     throw InputError("check.against", "gravitating_sheets has no viscosity, this gas has");
+  if (parameters.at("smoothed") != 0 && parameters.at("standing") != 0)
+    throw InputError("check.against",
+                     "gravitating_sheets shows standing points the gas in finer cells, which start "
+                     "without the smoothing");
   return std::make_unique<GravitatingSheets>(
       SheetCells{copy(initial.position()), copy(initial.values("velocity")),
                  copy(initial.values("length")), copy(initial.values("length_rate")),
@@ -31,6 +37,25 @@ std::unique_ptr<ExactSolution> refined_from(const ExactSetup& setup) {
   return std::make_unique<Refined>(setup.refined, unrefined->cloud().count());
 }
 
+/// Walls are mirrors, and the solution on the whole line has them only if its start does.
+void refuse_starts_that_walls_change(const ExactSetup& setup) {
+  constexpr int samples = 1000;
+  const double lower = setup.parameters.at("lower"), upper = setup.parameters.at("upper");
+  double size = 0, wrong = 0;
+  for (int k = 1; k <= samples; ++k)
+    for (const double wall : {lower, upper}) {
+      const double away = (upper - lower) * k / samples;
+      const double above = setup.start("velocity", wall + away);
+      const double below = setup.start("velocity", wall - away);
+      size = std::max({size, std::abs(above), std::abs(below)});
+      wrong = std::max(wrong, std::abs(above + below));
+    }
+  if (wrong > 1e-9 * size)
+    throw InputError("check.against",
+                     "burgers_cole_hopf is for the whole line, and stands for walls only if the "
+                     "start velocity is odd about both, as a sine between its zeros is");
+}
+
 std::unique_ptr<ExactSolution> burgers_from(const ExactSetup& setup) {
   const auto& [initial, parameters, start, refined] = setup;
   if (!parameters.contains("viscosity") || !parameters.contains("gravity") ||
@@ -40,6 +65,10 @@ std::unique_ptr<ExactSolution> burgers_from(const ExactSetup& setup) {
     throw InputError("check.against", "burgers_cole_hopf needs a viscosity, this gas has none");
   if (parameters.at("gravity") != 0)
     throw InputError("check.against", "burgers_cole_hopf has no gravity, this gas has");
+  if (parameters.at("smoothed") != 0)
+    throw InputError("check.against",
+                     "burgers_cole_hopf starts from the density as it is given, not smoothed");
+  if (parameters.at("walls") != 0) refuse_starts_that_walls_change(setup);
   const auto field = [start = start](const char* name) {
     return [start, name](double x) { return start(name, x); };
   };

@@ -10,7 +10,8 @@ namespace mote {
 
 /// The model's own equations on finer cells, by the form of them that converges best: a reference
 /// where no solution in closed form is known. What it is worth it says itself, by how far it is
-/// from the same on cells three times as long: a method of order 2 is 8 times closer to its limit.
+/// from the same with cells and steps three times as long: a method of order 2 is 8 times closer to
+/// its limit.
 /// Every particle is the middle one of an odd number of pieces, so that no interpolation comes in.
 class Refined final : public ExactSolution {
  public:
@@ -40,7 +41,7 @@ class Refined final : public ExactSolution {
   };
 
   const State& at(double time) const;
-  std::unique_ptr<Model> run(int pieces, double time) const;
+  std::unique_ptr<Model> run(int pieces, int steps, double time) const;
   std::vector<double> middles(const Model& model, const std::string& field, int pieces) const;
 
   Make make_;

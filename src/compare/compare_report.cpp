@@ -104,9 +104,10 @@ std::string outcome(const CompareTable& table, const std::vector<CheckResult>& c
     return !row.passed && !must_fail(table.comparison(), member);
   });
   const auto broken = std::ranges::count_if(checks, std::not_fn(&CheckResult::passed));
-  std::string text = unforeseen == 0 ? "**Every run that should pass its checks did.**"
-                                     : fmt::format("**{} of {} runs did not pass.**", unforeseen,
-                                                   table.rows().size());
+  std::string text =
+      unforeseen == 0
+          ? "**Every run that should reach its end did, and holds the checks that it states.**"
+          : fmt::format("**{} of {} runs did not pass.**", unforeseen, table.rows().size());
   if (!checks.empty())
     text += broken == 0
                 ? " **Every expectation holds.**"
@@ -121,16 +122,26 @@ std::string how_it_ran(const Running& running) {
     return fmt::format("The runs were made one after the other, {}\n", threads);
   return fmt::format(
       "Up to {} runs were made beside each other, {} They share memory and caches: `--jobs 1` "
-      "gives "
-      "clean times.\n",
+      "gives clean times.\n",
       running.jobs, threads);
+}
+
+/// What the runs were compared with.
+Words references(const CompareTable& table) {
+  Words names;
+  for (const Row& row : table.rows())
+    if (row.run && !row.run->errors.empty() &&
+        std::ranges::find(names, row.run->against) == names.end())
+      names.push_back(row.run->against);
+  return names;
 }
 
 /// What the columns of the table are.
 std::string legend(const CompareTable& table) {
   std::string text;
   if (!table.fields().empty())
-    text += "Errors are relative L2 errors at the end against the exact solution. ";
+    text += fmt::format("Errors are relative L2 errors at the end against `{}`. ",
+                        fmt::join(references(table), "`, `"));
   if (const auto refined = table.comparison().refinement)
     text += fmt::format("An order is that from the next coarser `{}`. ",
                         table.comparison().vary[*refined].path);
@@ -153,7 +164,7 @@ std::string verdict(const Row& row) {
   if (row.broke_down())
     return fmt::format("failed at t = {:.6g}: {}", row.run->time, reason(*row.run->failure));
   if (!row.run) return "no result: " + row.problem;
-  if (row.passed) return "passed";
+  if (row.passed) return row.is_checked ? "passed" : "ran";
   return fmt::format("check failed: {}", fmt::join(row.failed_checks, ", "));
 }
 
@@ -167,6 +178,7 @@ std::string compare_markdown(const CompareTable& table, const Running& running,
   text += fmt::format("\n{}\n{}", legend(table), markdown_table(table));
   text += checks_markdown(checks);
   text += fmt::format("\n## Cost\n\n{}", how_it_ran(running));
+  text += "The seconds are those of the steps; exact solutions come on top of them.\n";
   text +=
       "\nEvery run has its own folder in `runs/`, with a report; all numbers are in `compare.csv`."
       "\n`mote compare compare.yaml` makes the same comparison again.\n";

@@ -22,6 +22,7 @@ Certificate certificate_from(const Json& json) {
   certificate.particles = json.at("particles");
   certificate.steps = json.at("steps");
   certificate.time = number(json, "time");
+  certificate.against = json.at("against");
   certificate.wall_seconds = number(json, "wall_seconds");
   for (const auto& [field, error] : json.at("errors").items())
     certificate.errors.push_back(
@@ -64,6 +65,7 @@ Row row_of(std::size_t member, const std::filesystem::path& folder, const std::s
     const Json json = Json::parse(read_file(folder / "summary.json"));
     row.run = certificate_from(json);
     row.passed = json.at("passed");
+    row.is_checked = !json.at("checks").empty();
     for (const Json& check : json.at("checks"))
       if (!check.at("passed")) row.failed_checks.push_back(check.at("name"));
     row.updates_per_second = number(json, "particle_updates_per_second");

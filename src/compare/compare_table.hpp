@@ -17,6 +17,7 @@ struct Row {
   std::optional<Certificate> run;  ///< none: the run left no certificate
   double updates_per_second = 0;   ///< particle updates
   bool passed = false;
+  bool is_checked = false;                 ///< whether the scenario states any check
   std::vector<std::string> failed_checks;  ///< by name
   std::string problem;                     ///< why there is no certificate
 

@@ -39,6 +39,7 @@ class BurgersColeHopf final : public ExactSolution {
   explicit BurgersColeHopf(BurgersStart start);
 
   std::string statement() const override;
+  /// Until waves come from farther away than 4000 times the length of the domain.
   double valid_until() const override;
 
   /// Position, velocity, density. Throws std::domain_error if the waves come from farther away than

@@ -14,7 +14,8 @@ const double gamma = 1 - std::sqrt(0.5);
 
 }  // namespace
 
-double largest_row_sum(const DifferentialOperator<1>& op, const NeighbourLists& lists) {
+LargestRowSum largest_row_sum(const DifferentialOperator<1>& op, const NeighbourLists& lists,
+                              LineEnds ends) {
   static thread_local std::vector<double> sums;
   sums.resize(static_cast<std::size_t>(lists.receivers()));
   double* const sum = sums.data();
@@ -23,7 +24,11 @@ double largest_row_sum(const DifferentialOperator<1>& op, const NeighbourLists& 
     sum[i] = 0;
     for (const double weight : weights) sum[i] += std::abs(weight);
   });
-  return std::ranges::max(sums);
+  if (ends == LineEnds::held) sums.front() = sums.back() = 0;
+  // A sum that is no number is the largest.
+  const auto is_less = [](double a, double b) { return !std::isnan(a) && !(a >= b); };
+  const auto largest = std::ranges::max_element(sums, is_less);
+  return {static_cast<Index>(largest - sums.begin()), *largest};
 }
 
 void LineDiffusion::assemble(const DifferentialOperator<1>& op, const NeighbourLists& lists,
@@ -47,8 +52,8 @@ void LineDiffusion::assemble(const DifferentialOperator<1>& op, const NeighbourL
   }
   laplacian_.resize(count, count);
   laplacian_.setFromTriplets(entries_.begin(), entries_.end());
-  row_sum_ = largest_row_sum(op, lists);
-  factorised_amount_ = 0;
+  row_sum_ = largest_row_sum(op, lists, extension.ends());
+  factorised_amount_.reset();
 }
 
 void LineDiffusion::factorise(double amount) {
@@ -73,10 +78,15 @@ void LineDiffusion::advance_implicitly(double amount, std::span<double> values) 
 }
 
 std::int64_t LineDiffusion::advance_in_substeps(double amount, std::span<double> values) const {
-  const double fewest = std::ceil(amount * row_sum_);
-  if (!(fewest < 1e9))
-    throw NumericalFailure("the viscosity needs more than a thousand million sub-steps in one step",
-                           {0}, "two particles lie very close; the implicit scheme has no limit");
+  const double fewest = std::ceil(amount * row_sum_.sum);
+  if (std::isnan(fewest))
+    throw NumericalFailure("the Laplacian's weights are no longer numbers", {row_sum_.receiver},
+                           "the state is not finite any more");
+  if (fewest > 1e6)
+    throw NumericalFailure(
+        "the viscosity needs more than a million sub-steps in half a step", {row_sum_.receiver},
+        "the neighbours there are very close for this viscosity and step; the implicit scheme has "
+        "no limit");
   const auto substeps = std::max<std::int64_t>(1, static_cast<std::int64_t>(fewest));
   const double part = amount / static_cast<double>(substeps);
   Eigen::Map<Vector> u(values.data(), static_cast<Eigen::Index>(values.size()));

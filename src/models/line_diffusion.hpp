@@ -3,6 +3,7 @@
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,10 +12,17 @@
 
 namespace mote {
 
-/// Sums |l_ij| over the neighbours of each receiver of a prepared operator; the largest of them. An
-/// explicit step of du/dt = nu lap u is stable up to 1/(nu times this), by Gershgorin's circles;
-/// with three points that is the known dx^2/(2 nu). [1/length^2]
-double largest_row_sum(const DifferentialOperator<1>& op, const NeighbourLists& lists);
+/// The receiver with the largest sum of |l_ij| over its neighbours, and that sum [1/length^2].
+struct LargestRowSum {
+  Index receiver = 0;
+  double sum = 0;
+};
+
+/// That of a prepared operator, without held end particles. By Gershgorin's bound an explicit step
+/// of du/dt = nu lap u does not grow up to 1/(nu times the sum) where no weight is negative; with
+/// three points that is the known dx^2/(2 nu).
+LargestRowSum largest_row_sum(const DifferentialOperator<1>& op, const NeighbourLists& lists,
+                              LineEnds ends);
 
 /// Diffusion du/dt = nu lap u of a velocity on a line, over a time in which the points stand still.
 /// The Laplacian is the operator's own, as a sparse matrix in which the cells beyond the ends are
@@ -30,7 +38,8 @@ class LineDiffusion {
   /// no solution.
   void advance_implicitly(double amount, std::span<double> values);
 
-  /// The same in the fewest stable sub-steps of Heun's method, order 2. Returns their number.
+  /// The same in sub-steps of Heun's method, order 2, none longer than Gershgorin's bound. Returns
+  /// their number. Throws NumericalFailure if there are more than a million.
   std::int64_t advance_in_substeps(double amount, std::span<double> values) const;
 
  private:
@@ -40,10 +49,10 @@ class LineDiffusion {
   void factorise(double amount);
 
   Matrix laplacian_;
-  double row_sum_ = 0;
+  LargestRowSum row_sum_;
   // Particles on a line are numbered along it: the natural order fills in least.
   Eigen::SparseLU<Matrix, Eigen::NaturalOrdering<int>> solver_;
-  double factorised_amount_ = 0;  ///< 0: none
+  std::optional<double> factorised_amount_;
   std::vector<Eigen::Triplet<double>> entries_;
 };
 

@@ -113,7 +113,8 @@ bool PressurelessGas::rates_use_operator() const {
 }
 
 bool PressurelessGas::edges_fall_freely() const {
-  return has_edges() && options_.viscosity == 0 && extension_.ends() == LineEnds::zero_gradient &&
+  return has_edges() && options_.viscosity == 0 && options_.artificial_viscosity == 0 &&
+         extension_.ends() == LineEnds::zero_gradient &&
          options_.gravity_form == GravityForm::sheets;
 }
 

@@ -22,10 +22,18 @@ std::string PressurelessGas::cause_of_crossing() const {
         "the step was beyond the stability limit of explicit viscosity, {:.4g} at "
         "t = {:.6g}; viscosity_scheme: implicit has none",
         course_.passed_limit, course_.passed_at);
+  const double shortest = std::ranges::min(length_);
+  if (options_.artificial_viscosity > 0.5 * shortest * shortest)
+    return fmt::format(
+        "artificial viscosity (82) of {:.3g} a step is more than half the square of the shortest "
+        "cell, {:.3g}, beyond which it grows without bound",
+        options_.artificial_viscosity, shortest);
   if (options_.viscosity > 0)
-    return "the operator's Laplacian is not exact for linear velocities (printed SPH and MPS on "
-           "points of uneven spacing), so neighbours are pushed together; morris, corrected_sph, "
-           "least_squares and finite_difference are made for this";
+    return "if the operator's Laplacian is not exact for linear velocities (printed SPH, and MPS "
+           "on "
+           "points of uneven spacing), it pushes neighbours together; morris, corrected_sph, "
+           "least_squares and finite_difference are made for this. Or the viscosity is too small "
+           "for the distance of the particles, or the gas at the ends has met";
   return "the gas has fallen together, and a pressureless gas has no solution beyond this time, so "
          "end the run earlier; or the step is too long for these velocities";
 }
@@ -63,11 +71,18 @@ std::vector<StepLimit> PressurelessGas::step_limits() {
                                  "the time in which the densest gas falls together"}};
   if (frame_ == Frame::eulerian)
     limits.push_back({shortest / fastest, "the time in which the gas passes the shortest cell"});
+  if (options_.artificial_viscosity > 0.5 * shortest * shortest)
+    limits.push_back(
+        {0,
+         fmt::format("artificial viscosity (82) of {:.3g} in every step, however short, is more "
+                     "than half the square of the shortest cell, {:.3g}",
+                     options_.artificial_viscosity, shortest),
+         true});
   if (is_explicit())
     limits.push_back(
         {explicit_limit(),
          "1/(viscosity times the largest sum of the Laplacian's weights), beyond which "
-         "explicit viscosity grows without bound",
+         "explicit viscosity may grow without bound",
          true});
   return limits;
 }
@@ -90,7 +105,10 @@ Parameters PressurelessGas::parameters() const {
   return {{"gravity", options_.gravity},
           {"viscosity", options_.viscosity},
           {"lower", lower_},
-          {"upper", upper_}};
+          {"upper", upper_},
+          {"smoothed", options_.smoothed_density ? 1 : 0},
+          {"walls", extension_.ends() == LineEnds::wall ? 1 : 0},
+          {"standing", frame_ == Frame::eulerian ? 1 : 0}};
 }
 
 std::vector<std::string> PressurelessGas::remarks() const {
@@ -123,12 +141,14 @@ std::vector<std::string> PressurelessGas::remarks_on_viscosity() const {
     remarks.emplace_back("Viscosity turns motion into heat, which the energy here leaves out.");
   if (course_.substeps > 0)
     remarks.push_back(
-        fmt::format("Viscosity took {} sub-steps in {} steps, {} at most in half a step.",
+        fmt::format("Viscosity took {} sub-steps in {} steps since the run was started or resumed, "
+                    "{} at most in half a step.",
                     course_.substeps, course_.steps, course_.most_substeps));
   if (options_.artificial_viscosity > 0) {
     const double equivalent = options_.artificial_viscosity / course_.step;
     remarks.push_back(fmt::format(
-        "Artificial viscosity (82), mu = {:.3g}, was added in each of {} steps: as much as a "
+        "Artificial viscosity (82), mu = {:.3g}, was added in each of {} steps since the run "
+        "was started or resumed: as much as a "
         "kinematic viscosity of {:.3g}{}. It moved {:.3g} of mass (sum of |change of density| dx) "
         "and {:.3g} of velocity (sum of |change| dx).",
         options_.artificial_viscosity, course_.steps, equivalent,

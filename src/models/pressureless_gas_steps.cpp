@@ -97,7 +97,8 @@ void PressurelessGas::add_artificial_viscosity() {
 double PressurelessGas::explicit_limit() {
   update_dependent_fields();
   prepare_operator();
-  return 1 / (options_.viscosity * largest_row_sum(*operator_, lists_));
+  const auto [receiver, sum] = largest_row_sum(*operator_, lists_, extension_.ends());
+  return 1 / (options_.viscosity * sum);
 }
 
 void PressurelessGas::note_step_limit(double time, double step) {

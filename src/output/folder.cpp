@@ -62,6 +62,12 @@ OutputFolder OutputFolder::create(const fs::path& path, Existing existing) {
   return folder;
 }
 
+bool OutputFolder::is_one(const fs::path& path) {
+  std::string first_line;
+  return static_cast<bool>(std::getline(std::ifstream(path / "run.yaml"), first_line)) &&
+         first_line == run_file_mark;
+}
+
 void OutputFolder::remove(const fs::path& path) {
   ClaimedFolder claimed(path, Existing::replace, run_folder);
   claimed.remove_former(snapshots_in(path));

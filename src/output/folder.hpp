@@ -34,6 +34,8 @@ class OutputFolder {
   /// The same to go on writing, with other runs kept out.
   static OutputFolder reopen(const std::filesystem::path& path);
 
+  /// Whether a folder is the output of a run.
+  static bool is_one(const std::filesystem::path& path);
   /// Removes the output of a run, and the folder if nothing else is in it. Throws InputError if it
   /// is not one.
   static void remove(const std::filesystem::path& path);

@@ -14,8 +14,8 @@ void describe_expectation(Description& d, ComparisonSection::Expectation& expect
           Values::one);
   d.number({"fails_after", "the numerics must break down at this time or later"},
            expectation.fails_after, not_negative);
-  d.number({"fails_before", "the numerics must break down until this time"},
-           expectation.fails_before, positive);
+  d.number({"fails_before", "the numerics must break down by this time"}, expectation.fails_before,
+           positive);
   d.text({"field", "whose error is meant"}, expectation.field);
   d.choice({"norm", "of the error"}, expectation.norm,
            {{"l1", "sum of magnitudes"},

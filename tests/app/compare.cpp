@@ -176,11 +176,15 @@ TEST(Compare, DoesNotOverwriteUnlessAsked) {
   EXPECT_EQ(place.compare(both_forms).exit_code, 1);
   write(place / "out/runs/01-sheets/mine.txt", "keep");
   write(place / "out/runs/notes.txt", "keep");
+  write(place / "out/runs/9-notes.log", "keep");
+  fs::create_directory(place / "out/runs/07-mine");
+  write(place / "out/runs/07-mine/run.yaml", "name: not_of_mote\n");
   const Outcome refused = place.compare(both_forms);
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.errors, HasSubstr("--overwrite replaces a former comparison"));
   EXPECT_EQ(place.compare({"--vary", "operator=mps", "--overwrite"}).exit_code, 0);
-  EXPECT_THAT(names_in(place / "out/runs"), ElementsAre("01-mps", "01-sheets", "notes.txt"));
+  EXPECT_THAT(names_in(place / "out/runs"),
+              ElementsAre("01-mps", "01-sheets", "07-mine", "9-notes.log", "notes.txt"));
   EXPECT_THAT(names_in(place / "out/runs/01-sheets"), ElementsAre("mine.txt"));
   EXPECT_EQ(mote({"compare", (place / "slab.yaml").string(), "--vary", "operator=mps",
                   "--overwrite", "--out", (place / "out/runs/01-mps").string()})

@@ -25,10 +25,12 @@ inline Comparison comparison(const Paths& vary,
 /// The row of a member that ran and passed with this L2 error of velocity; the other norms are
 /// twice and three times that.
 inline Row passed(std::size_t member, double l2) {
-  Certificate run{.particles = 41, .steps = 10, .time = 3, .wall_seconds = 0.5};
+  Certificate run{
+      .against = "sheets", .particles = 41, .steps = 10, .time = 3, .wall_seconds = 0.5};
   run.errors = {{"velocity", 2 * l2, l2, 3 * l2, 41}};
   run.conservation = {{"mass", 1, 1, 0}, {"energy", 1, 0.9, -0.1}};
-  return {.member = member, .run = run, .updates_per_second = 820, .passed = true};
+  return {
+      .member = member, .run = run, .updates_per_second = 820, .passed = true, .is_checked = true};
 }
 
 inline Row broken(std::size_t member, double time, const std::string& failure) {

@@ -66,6 +66,9 @@ TEST(CompareCsv, HasTheRowsThatAreThereInTheOrderOfTheMembers) {
 
 TEST(Verdict, SaysWhatBecameOfAMember) {
   EXPECT_EQ(verdict(passed(0, 1)), "passed");
+  Row unchecked = passed(0, 1);
+  unchecked.is_checked = false;
+  EXPECT_EQ(verdict(unchecked), "ran");
   EXPECT_EQ(verdict(broken(0, 1.25,
                            "step 4, t = 1.25: particles 1 and 2 crossed at x = 2.5. Likely "
                            "cause: a: b. Particles there: 1")),
@@ -86,6 +89,7 @@ TEST(CompareReport, ShowsFailuresAndWhatIsBetweenBars) {
   EXPECT_THAT(text, HasSubstr("2 runs of one scenario, with `o` over 2 values. **1 of 2 runs did "
                               "not pass.**"));
   EXPECT_THAT(text, HasSubstr("](compare.png)"));
+  EXPECT_THAT(text, HasSubstr("at the end against `sheets`."));
   EXPECT_THAT(text, HasSubstr("\n| `a\\|b` | 4.00e+00 | 0.5 | 0.0e+00 | -1.0e-01 | passed |\n"));
   EXPECT_THAT(text, HasSubstr("\n| `c` | – | 0 | – | – | **failed at t = 1.5: gone** |\n"));
   EXPECT_THAT(text, HasSubstr("Up to 2 runs were made beside each other, on 3 threads each."));

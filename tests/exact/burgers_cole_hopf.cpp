@@ -184,6 +184,14 @@ TEST(BurgersColeHopf, LaterAndEarlierTimesInAnyOrder) {
   EXPECT_EQ(once.of_particles(1)[2].values, again.of_particles(1)[2].values);
 }
 
+TEST(BurgersColeHopf, EndsTheSoonerTheFasterItsWavesAre) {
+  const auto fast = [](double x) { return 1e4 * wavy(x); };
+  const double usual = BurgersColeHopf(start_of(wavy, 0.02, 3)).valid_until();
+  const double short_lived = BurgersColeHopf(start_of(fast, 0.02, 3)).valid_until();
+  EXPECT_GT(usual, 100);
+  EXPECT_NEAR(usual / short_lived, 1e4, 1e3);
+}
+
 TEST(BurgersColeHopf, RefusesWhatItHasNoAnswerFor) {
   const auto refused = [](BurgersStart start) {
     EXPECT_THROW(BurgersColeHopf{start}, std::invalid_argument);

@@ -9,6 +9,7 @@
 #include "mote/operators/differential/finite_difference.hpp"
 #include "mote/operators/differential/morris.hpp"
 #include "mote/operators/kernels/gauss.hpp"
+#include "mote/particles/failure.hpp"
 #include "mote/particles/layouts.hpp"
 
 namespace mote::test {
@@ -150,9 +151,9 @@ TEST(LineDiffusion, EndsAsTheEndsDemand) {
   for (const double value : after_for_ever(LineEnds::wall)) EXPECT_NEAR(value, 0, 1e-7);
 }
 
-TEST(LineDiffusion, TakesTheFewestStableSubSteps) {
+TEST(LineDiffusion, TakesSubStepsWithinGershgorinsBound) {
   const Line line(LineEnds::zero_gradient);
-  const double limit = 1 / largest_row_sum(*line.op, line.lists);
+  const double limit = 1 / largest_row_sum(*line.op, line.lists, LineEnds::zero_gradient).sum;
   const auto diffusion = line.diffusion();
   Numbers values = line.wave();
   EXPECT_EQ(diffusion->advance_in_substeps(0.9 * limit, values), 1);
@@ -168,13 +169,36 @@ TEST(LineDiffusion, HasTheKnownLimitOnARegularLine) {
                         line.points);
   LineSearch().find(line.points, line.op->neighbour_rule(), line.lists);
   line.op->prepare(line.points, line.lists);
-  EXPECT_NEAR(largest_row_sum(*line.op, line.lists), 2 * 24 * 24, 1e-9);
+  EXPECT_NEAR(largest_row_sum(*line.op, line.lists, LineEnds::zero_gradient).sum, 2 * 24 * 24,
+              1e-9);
+}
+
+TEST(LineDiffusion, OfNothingChangesNothing) {
+  const Line line(LineEnds::zero_gradient);
+  const auto diffusion = line.diffusion();
+  for (const double amount : {0.0, 5e-324}) {
+    Numbers values = line.wave();
+    diffusion->advance_implicitly(amount, values);
+    EXPECT_EQ(values, line.wave());
+  }
+}
+
+TEST(LineDiffusion, RefusesMoreThanAMillionSubStepsByTheNameOfTheParticle) {
+  const Line line(LineEnds::zero_gradient);
+  const auto largest = largest_row_sum(*line.op, line.lists, LineEnds::zero_gradient);
+  Numbers values = line.wave();
+  try {
+    line.diffusion()->advance_in_substeps(2e6 / largest.sum, values);
+    ADD_FAILURE() << "it took them";
+  } catch (const NumericalFailure& failure) {
+    EXPECT_EQ(failure.particles(), std::vector<Index>{largest.receiver});
+  }
 }
 
 // Beyond the limit explicit steps grow: the limit is not a cautious guess.
 TEST(LineDiffusion, LimitIsSharpUpToTheGershgorinBound) {
   const Line line(LineEnds::zero_gradient);
-  const double limit = 1 / largest_row_sum(*line.op, line.lists);
+  const double limit = 1 / largest_row_sum(*line.op, line.lists, LineEnds::zero_gradient).sum;
   const double fastest = -line.matrix().eigenvalues().real().minCoeff();
   EXPECT_LE(fastest * limit, 2 + 1e-12);
   EXPECT_GT(fastest * limit, 1);

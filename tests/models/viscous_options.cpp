@@ -82,7 +82,7 @@ TEST(ArtificialViscosity, IsCountedInTheReport) {
   PressurelessGas gas = viscous(trapezoid(), {.viscosity = 0.02, .artificial_viscosity = 5e-7});
   SymplecticEuler euler;
   run(gas, euler, 0.25, 1000);
-  EXPECT_THAT(gas.remarks(), Contains(testing::AllOf(HasSubstr("in each of 1000 steps"),
+  EXPECT_THAT(gas.remarks(), Contains(testing::AllOf(HasSubstr("in each of 1000 steps since"),
                                                      HasSubstr("kinematic viscosity of 0.002"),
                                                      HasSubstr("10 % of the model's own"))));
 }
