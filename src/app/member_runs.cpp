@@ -18,11 +18,10 @@ void MemberRuns::run_all() {
 }
 
 std::vector<std::string> MemberRuns::arguments_of(const Member& member) const {
-  std::vector<std::string> assignments = options_.assignments;
-  for (std::string& own : assignments_of(table_.comparison(), member))
-    assignments.push_back(std::move(own));
+  std::vector<std::string> assignments = assignments_of(table_.comparison(), member);
   assignments.emplace_back("output.picture=false");
-  std::vector<std::string> arguments{"run", options_.file};
+  // The copy, not the file: that may change while members run.
+  std::vector<std::string> arguments{"run", (folder_ / "compare.yaml").string()};
   for (const std::string& assignment : assignments)
     arguments.insert(arguments.end(), {"--set", assignment});
   arguments.insert(arguments.end(), {"--threads", std::to_string(running_.threads), "--quiet",

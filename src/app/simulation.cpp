@@ -103,6 +103,8 @@ Simulation::Simulation(const Document& document, Scenario scenario, const Catalo
   try {
     refuse_what_does_not_fit();
     build(document, catalogue);
+    if (exact_ != nullptr) bytes_needed_ += exact_->bytes_needed();
+    refuse_what_does_not_fit();
   } catch (const InputError& error) {
     throw LocatedError(document.locate(error.key()), error.what());
   }

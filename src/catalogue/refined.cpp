@@ -43,6 +43,11 @@ std::string Refined::statement() const {
       pieces_, most_steps, worth);
 }
 
+double Refined::bytes_needed() const {
+  constexpr double of_a_cell = 700;  // fields, rates, neighbours, and three factorised diagonals
+  return of_a_cell * count_ * (pieces_ + pieces_ / 3);
+}
+
 double Refined::valid_until() const { return std::numeric_limits<double>::infinity(); }
 
 std::unique_ptr<Model> Refined::run(int pieces, int steps, double time) const {

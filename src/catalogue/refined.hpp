@@ -26,6 +26,7 @@ class Refined final : public ExactSolution {
 
   std::string statement() const override;
   double valid_until() const override;
+  double bytes_needed() const override;
 
   /// Throw NumericalFailure if the refined run breaks down before `time`.
   Table of_particles(double time) const override;

@@ -24,6 +24,9 @@ class ExactSolution {
   /// The last time for which there is an answer; later ones throw std::domain_error.
   virtual double valid_until() const = 0;
 
+  /// Memory that its answers take beyond a few numbers a particle.
+  virtual double bytes_needed() const { return 0; }
+
   /// The fields of the same material points: what moving particles are compared with.
   virtual Table of_particles(double time) const = 0;
 
