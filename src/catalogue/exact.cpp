@@ -15,7 +15,8 @@ namespace {
 std::vector<double> copy(std::span<const double> values) { return {values.begin(), values.end()}; }
 
 std::unique_ptr<ExactSolution> sheets_from(const ExactSetup& setup) {
-  const auto& [initial, parameters, start, refined] = setup;
+  const auto& initial = setup.initial;
+  const auto& parameters = setup.parameters;
   if (!parameters.contains("gravity") || !initial.has("length_rate"))
     throw InputError("check.against", "gravitating_sheets solves the model pressureless_gas alone");
   if (parameters.at("viscosity") != 0)
@@ -57,7 +58,8 @@ void refuse_starts_that_walls_change(const ExactSetup& setup) {
 }
 
 std::unique_ptr<ExactSolution> burgers_from(const ExactSetup& setup) {
-  const auto& [initial, parameters, start, refined] = setup;
+  const auto& initial = setup.initial;
+  const auto& parameters = setup.parameters;
   if (!parameters.contains("viscosity") || !parameters.contains("gravity") ||
       !initial.has("length"))
     throw InputError("check.against", "burgers_cole_hopf solves the model pressureless_gas alone");
@@ -69,7 +71,7 @@ std::unique_ptr<ExactSolution> burgers_from(const ExactSetup& setup) {
     throw InputError("check.against",
                      "burgers_cole_hopf starts from the density as it is given, not smoothed");
   if (parameters.at("walls") != 0) refuse_starts_that_walls_change(setup);
-  const auto field = [start = start](const char* name) {
+  const auto field = [start = setup.start](const char* name) {
     return [start, name](double x) { return start(name, x); };
   };
   try {

@@ -13,7 +13,7 @@
 namespace mote {
 namespace {
 
-constexpr int most_steps = 2100;
+constexpr int fine_steps = 2100;
 
 double relative_distance(const std::vector<double>& values, const std::vector<double>& reference) {
   double distance = 0, size = 0;
@@ -40,7 +40,7 @@ std::string Refined::statement() const {
   return fmt::format(
       "refined is the same gas, without smoothing or artificial viscosity, in {} times as many "
       "cells, {} steps{}",
-      pieces_, most_steps, worth);
+      pieces_, fine_steps, worth);
 }
 
 double Refined::bytes_needed() const {
@@ -79,8 +79,8 @@ std::vector<double> Refined::middles(const Model& model, const std::string& fiel
 
 const Refined::State& Refined::at(double time) const {
   if (state_.time == time) return state_;
-  state_.fine = run(pieces_, most_steps, time);
-  const auto coarse = run(pieces_ / 3, most_steps / 3, time);
+  state_.fine = run(pieces_, fine_steps, time);
+  const auto coarse = run(pieces_ / 3, fine_steps / 3, time);
   const auto error = [&](const std::string& field) {
     return relative_distance(middles(*coarse, field, pieces_ / 3),
                              middles(*state_.fine, field, pieces_)) /

@@ -34,8 +34,17 @@ Certificate certificate_from(const Json& json) {
   return certificate;
 }
 
-void add_new(std::vector<std::string>& names, const std::string& name) {
-  if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+/// The names of a list in the certificates, each once, in the order in which they come up.
+template <class List, class Item>
+std::vector<std::string> names_in(const std::vector<Row>& rows, List Certificate::*list,
+                                  std::string Item::*name) {
+  std::vector<std::string> names;
+  for (const Row& row : rows) {
+    if (!row.run) continue;
+    for (const Item& item : *row.run.*list)
+      if (std::ranges::find(names, item.*name) == names.end()) names.push_back(item.*name);
+  }
+  return names;
 }
 
 }  // namespace
@@ -87,19 +96,11 @@ const Row* CompareTable::of(std::size_t member) const {
 }
 
 std::vector<std::string> CompareTable::fields() const {
-  std::vector<std::string> names;
-  for (const Row& row : rows_)
-    for (std::size_t k = 0; row.run && k < row.run->errors.size(); ++k)
-      add_new(names, row.run->errors[k].field);
-  return names;
+  return names_in(rows_, &Certificate::errors, &ErrorNorms::field);
 }
 
 std::vector<std::string> CompareTable::quantities() const {
-  std::vector<std::string> names;
-  for (const Row& row : rows_)
-    for (std::size_t k = 0; row.run && k < row.run->conservation.size(); ++k)
-      add_new(names, row.run->conservation[k].quantity);
-  return names;
+  return names_in(rows_, &Certificate::conservation, &Drift::quantity);
 }
 
 const Row* CompareTable::coarser(const Row& row) const {

@@ -12,7 +12,19 @@ namespace {
 /// Diagonal coefficient of SDIRK2, 1 - 1/sqrt(2).
 const double gamma = 1 - std::sqrt(0.5);
 
+double sum_of_magnitudes(std::span<const double> weights) {
+  double sum = 0;
+  for (const double weight : weights) sum += std::abs(weight);
+  return sum;
+}
+
 }  // namespace
+
+void LargestRowSum::take(Index other, double other_sum) {
+  if (std::isnan(sum) || other_sum <= sum) return;
+  receiver = other;
+  sum = other_sum;
+}
 
 LargestRowSum largest_row_sum(const DifferentialOperator<1>& op, const NeighbourLists& lists,
                               LineEnds ends) {
@@ -21,14 +33,12 @@ LargestRowSum largest_row_sum(const DifferentialOperator<1>& op, const Neighbour
   double* const sum = sums.data();
   for_each_row<double>(lists, [&op, sum](Index i, auto, auto weights) {
     op.laplacian_weights(i, weights);
-    sum[i] = 0;
-    for (const double weight : weights) sum[i] += std::abs(weight);
+    sum[i] = sum_of_magnitudes(weights);
   });
   if (ends == LineEnds::held) sums.front() = sums.back() = 0;
-  // A sum that is no number is the largest.
-  const auto is_less = [](double a, double b) { return !std::isnan(a) && !(a >= b); };
-  const auto largest = std::ranges::max_element(sums, is_less);
-  return {static_cast<Index>(largest - sums.begin()), *largest};
+  LargestRowSum largest;
+  for (Index i = 0; i < lists.receivers(); ++i) largest.take(i, sums[i]);
+  return largest;
 }
 
 void LineDiffusion::assemble(const DifferentialOperator<1>& op, const NeighbourLists& lists,
@@ -36,6 +46,7 @@ void LineDiffusion::assemble(const DifferentialOperator<1>& op, const NeighbourL
   const Index count = lists.receivers();
   const bool held = extension.ends() == LineEnds::held;
   entries_.clear();
+  row_sum_ = {};
   std::vector<double> weights;
   for (Index i = 0; i < count; ++i) {
     entries_.emplace_back(i, i, 0);  // every row has a diagonal, for the 1 of the stages
@@ -43,6 +54,7 @@ void LineDiffusion::assemble(const DifferentialOperator<1>& op, const NeighbourL
     const auto neighbours = lists[i];
     weights.resize(neighbours.size());
     op.laplacian_weights(i, weights);
+    row_sum_.take(i, sum_of_magnitudes(weights));
     for (std::size_t k = 0; k < neighbours.size(); ++k) {
       const bool beyond = neighbours[k] >= count;
       const Index j = beyond ? extension.owner(neighbours[k] - count, count) : neighbours[k];
@@ -52,7 +64,6 @@ void LineDiffusion::assemble(const DifferentialOperator<1>& op, const NeighbourL
   }
   laplacian_.resize(count, count);
   laplacian_.setFromTriplets(entries_.begin(), entries_.end());
-  row_sum_ = largest_row_sum(op, lists, extension.ends());
   factorised_amount_.reset();
 }
 

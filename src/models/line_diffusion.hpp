@@ -16,6 +16,9 @@ namespace mote {
 struct LargestRowSum {
   Index receiver = 0;
   double sum = 0;
+
+  /// Takes another sum if it is larger; one that is no number is the largest.
+  void take(Index other, double other_sum);
 };
 
 /// That of a prepared operator, without held end particles. By Gershgorin's bound an explicit step

@@ -76,7 +76,8 @@ class Model : public System {
   virtual PairWork pair_work() const = 0;
   virtual std::vector<std::string> remarks() const = 0;
 
-  /// The constants of the equations by name, for an exact solution to be made from.
+  /// The constants of the equations and what was chosen for them (1 or 0) by name, for an exact
+  /// solution to be made from.
   virtual Parameters parameters() const = 0;
 };
 

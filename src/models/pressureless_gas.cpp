@@ -225,9 +225,8 @@ void PressurelessGas::add_advection() {
 /// with its particle.
 void PressurelessGas::update_length_rates() {
   const std::size_t last = velocity_.size() - 1;
-  const bool wall = extension_.ends() == LineEnds::wall;
-  const double lower_end = wall ? -velocity_[0] : velocity_[0];
-  const double upper_end = wall ? -velocity_[last] : velocity_[last];
+  const double lower_end = extension_.sign(Parity::odd) * velocity_[0];
+  const double upper_end = extension_.sign(Parity::odd) * velocity_[last];
   for (std::size_t i = 0; i <= last; ++i)
     length_rate_[i] =
         0.5 * ((i < last ? velocity_[i + 1] : upper_end) - (i > 0 ? velocity_[i - 1] : lower_end));

@@ -122,7 +122,7 @@ class PressurelessGas final : public Model {
     std::int64_t steps = 0, substeps = 0, most_substeps = 0;
     double step = 0;                            ///< the last one
     double passed_at = 0, passed_limit = 0;     ///< when a step first passed the explicit limit
-    double velocity_moved = 0, mass_moved = 0;  ///< sums of |change| by (82), times mass or length
+    double velocity_moved = 0, mass_moved = 0;  ///< sums of |change| dx by (82)
     bool passed() const { return passed_limit > 0; }
   } course_;
 };

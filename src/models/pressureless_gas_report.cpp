@@ -30,8 +30,7 @@ std::string PressurelessGas::cause_of_crossing() const {
         options_.artificial_viscosity, shortest);
   if (options_.viscosity > 0)
     return "if the operator's Laplacian is not exact for linear velocities (printed SPH, and MPS "
-           "on "
-           "points of uneven spacing), it pushes neighbours together; morris, corrected_sph, "
+           "on points of uneven spacing), it pushes neighbours together; morris, corrected_sph, "
            "least_squares and finite_difference are made for this. Or the viscosity is too small "
            "for the distance of the particles, or the gas at the ends has met";
   return "the gas has fallen together, and a pressureless gas has no solution beyond this time, so "
@@ -148,8 +147,8 @@ std::vector<std::string> PressurelessGas::remarks_on_viscosity() const {
     const double equivalent = options_.artificial_viscosity / course_.step;
     remarks.push_back(fmt::format(
         "Artificial viscosity (82), mu = {:.3g}, was added in each of {} steps since the run "
-        "was started or resumed: as much as a "
-        "kinematic viscosity of {:.3g}{}. It moved {:.3g} of mass (sum of |change of density| dx) "
+        "was started or resumed: as much as a kinematic viscosity of {:.3g}{}. It moved {:.3g} of "
+        "mass (sum of |change of density| dx) "
         "and {:.3g} of velocity (sum of |change| dx).",
         options_.artificial_viscosity, course_.steps, equivalent,
         options_.viscosity > 0

@@ -93,6 +93,28 @@ TEST(ArtificialViscosity, DoesNotGoWithDensityFromMasses) {
                InputError);
 }
 
+// Without other forces the edges would fall freely, and never learn of what (82) does to
+// velocities.
+TEST(ArtificialViscosity, MovesTheEdgesOfCellsWithTheirParticles) {
+  LineGas gas = flat_slope_flat();
+  gas.ends = LineEnds::zero_gradient;
+  PressurelessGas model = viscous(gas, {.artificial_viscosity = 5e-5});
+  VelocityVerlet verlet;
+  run(model, verlet, 1, 400);
+  const auto x = model.cloud().position(), length = model.cloud().values("length");
+  for (Index i = 1; i < 40; ++i) EXPECT_NEAR(length[i], (x[i + 1] - x[i - 1]) / 2, 1e-13);
+}
+
+TEST(ArtificialViscosity, WarnsBeyondHalfTheSquareOfTheShortestCell) {
+  const double square = 4.0 / 41 * 4 / 41;
+  for (const double part : {0.49, 0.51}) {
+    PressurelessGas gas = viscous(trapezoid(), {.artificial_viscosity = part * square});
+    const auto limits = gas.step_limits();
+    const bool warns = limits.back().advisory && limits.back().step == 0;
+    EXPECT_EQ(warns, part > 0.5);
+  }
+}
+
 TEST(HeldEnds, KeepTheVelocityOfTheEndParticles) {
   for (const auto scheme :
        {ViscosityScheme::implicit, ViscosityScheme::substepped, ViscosityScheme::explicit_rates}) {
