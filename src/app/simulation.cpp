@@ -205,12 +205,7 @@ void Simulation::make_exact(const Catalogue& catalogue) {
 void Simulation::restore(const Snapshot& snapshot) {
   if (snapshot.fingerprint != fingerprint_)
     throw InputError("this snapshot belongs to another scenario than run.yaml");
-  for (const Field& field : model_->cloud().fields()) {
-    if (!snapshot.cloud.has(field.name) || snapshot.cloud.count() != model_->cloud().count())
-      throw InputError("this snapshot lacks particles or the field " + field.name);
-    std::ranges::copy(snapshot.cloud.values(field.name),
-                      model_->cloud().values(field.name).begin());
-  }
+  model_->restore(snapshot.cloud);
 }
 
 }  // namespace mote

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <span>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "mote/integrators/system.hpp"
+#include "mote/models/space.hpp"
 #include "mote/operators/differential/differential_operator.hpp"
 #include "mote/options/description.hpp"
 #include "mote/particles/cloud.hpp"
@@ -44,6 +46,12 @@ struct StepLimit {
   bool advisory = false;
 };
 
+/// A number that describes the state, with its name in tables.
+struct Reading {
+  std::string name;
+  double value;
+};
+
 using Parameters = std::map<std::string, double>;
 
 /// Equations of motion: the state in a cloud, and the rates at which it changes.
@@ -75,6 +83,29 @@ class Model : public System {
   /// What the model did with the operator, and what a reader of the report should know.
   virtual PairWork pair_work() const = 0;
   virtual std::vector<std::string> remarks() const = 0;
+
+  /// How long the next step may be for this Courant number, where the state decides on it; infinite
+  /// where the scenario does.
+  virtual double longest_step(double /*courant*/) {
+    return std::numeric_limits<double>::infinity();
+  }
+
+  /// Forgets whatever a restart would not know: called at every snapshot, and so before the first
+  /// step.
+  virtual void start_afresh() {}
+
+  /// Takes the state of a snapshot. Throws InputError if it is not one of this model.
+  virtual void restore(const Cloud& state);
+
+  /// What is worth a column in history.csv beside the conserved quantities.
+  virtual std::vector<Reading> readings() const { return {}; }
+
+  /// The bodies that the field `body` of the cloud numbers, and their spacing; empty on a line.
+  virtual std::span<const Body> bodies() const { return {}; }
+  virtual double spacing() const { return 0; }
+
+  /// Force of the fluid on one of the bodies, a wall. [force; per length in 2D]
+  virtual Triple force_on(std::size_t /*body*/) const { return {}; }
 
   /// The constants of the equations and what was chosen for them (1 or 0) by name, for an exact
   /// solution to be made from.
@@ -110,11 +141,15 @@ class ModelRecipe {
  public:
   virtual ~ModelRecipe() = default;
   virtual void describe(Description& description) = 0;
-  virtual std::vector<InitialField> initial_fields() const = 0;
+  /// Whether the model lives on a line, and not in two or three dimensions.
+  virtual bool lives_on_a_line() const { return true; }
+  virtual std::vector<InitialField> initial_fields(int dimension) const = 0;
   /// The names of what `Model::conserved` will report.
-  virtual std::vector<std::string> conserved_names() const = 0;
-  /// Throws InputError for options that do not go together with the set-up.
-  virtual std::unique_ptr<Model> make(LineSetup setup) const = 0;
+  virtual std::vector<std::string> conserved_names(int dimension) const = 0;
+  /// The model on a line, or in space. Throws InputError for options that do not go together with
+  /// the set-up, std::logic_error where the model does not live.
+  virtual std::unique_ptr<Model> make(LineSetup setup) const;
+  virtual std::unique_ptr<Model> make(SpaceSetup setup) const;
 
   /// The same equations for moving points, by the form that converges best, as a reference on fine
   /// cells; the set-up's own operator is not used. Null if the model has none.

@@ -137,10 +137,11 @@ class PressurelessGasRecipe final : public ModelRecipe {
   PressurelessGasOptions options;
 
   void describe(Description& description) override { options.describe(description); }
-  std::vector<InitialField> initial_fields() const override;
+  std::vector<InitialField> initial_fields(int dimension) const override;
+  using ModelRecipe::make;
   std::unique_ptr<Model> make(LineSetup setup) const override;
   std::unique_ptr<Model> make_reference(LineSetup setup) const override;
-  std::vector<std::string> conserved_names() const override {
+  std::vector<std::string> conserved_names(int /*dimension*/) const override {
     return {"mass", "momentum", "energy"};
   }
 };

@@ -45,7 +45,7 @@ void PressurelessGasOptions::describe(Description& description) {
   describe_words(description, {"frame", "whether the points move"}, frame, frames);
 }
 
-std::vector<InitialField> PressurelessGasRecipe::initial_fields() const {
+std::vector<InitialField> PressurelessGasRecipe::initial_fields(int /*dimension*/) const {
   return {{"density", "density at the start", ""}, {"velocity", "velocity at the start", "0"}};
 }
 

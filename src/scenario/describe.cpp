@@ -39,7 +39,8 @@ void describe_model(Description& d, Scenario& scenario, const Catalogue& catalog
 
 /// The initial fields of the model, with its defaults.
 void describe_initial(Description& d, Scenario& scenario) {
-  for (const InitialField& field : scenario.model->initial_fields()) {
+  for (const InitialField& field :
+       scenario.model->initial_fields(static_cast<int>(scenario.dimension))) {
     auto found = std::ranges::find(scenario.initial, field.name,
                                    &std::pair<std::string, std::string>::first);
     if (found == scenario.initial.end()) {
@@ -89,7 +90,8 @@ void describe_checks(Description& d, Scenario::Checks& checks,
 void describe_check(Description& d, Scenario& scenario, const Catalogue& catalogue) {
   Scenario::Check& check = scenario.check;
   std::vector<std::string> quantities;
-  if (scenario.model) quantities = scenario.model->conserved_names();
+  if (scenario.model)
+    quantities = scenario.model->conserved_names(static_cast<int>(scenario.dimension));
   Choices solutions = choices_of(catalogue.exact_solutions);
   solutions.push_back({"nothing", "no exact solution"});
   d.variant({"against", "exact solution"}, check.against, solutions,
