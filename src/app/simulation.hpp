@@ -54,7 +54,6 @@ class Simulation {
  private:
   void refuse_what_does_not_fit() const;
   void build(const Document& document, const Catalogue& catalogue);
-  void refuse_operators_that_do_not_fit(const Document& document);
   void limit_step(const Document& document);
   void warn(const std::string& where, const std::string& message);
   void make_exact(const Catalogue& catalogue);
@@ -62,7 +61,7 @@ class Simulation {
   Scenario scenario_;
   std::string fingerprint_, resolved_yaml_;
   bool strict_;
-  double bytes_needed_;
+  double bytes_needed_ = 0;
   TimePlan plan_;
   std::unique_ptr<Model> model_;
   std::unique_ptr<Integrator> integrator_;
