@@ -184,6 +184,10 @@ void Simulation::make_exact(const Catalogue& catalogue) {
   const std::string& against = scenario_.check.against;
   if (against == "nothing") return;
   const auto& solution = entry_named(catalogue.exact_solutions, against);
+  if (!solution.make)
+    throw InputError("check.against",
+                     fmt::format("{} is a flow in space, and the model {} lives on a line", against,
+                                 scenario_.model_type));
   const bool lagrangian = model_->frame() == Frame::lagrangian;
   for (const auto& [field, limit] : scenario_.check.of(model_->frame()).fields)
     if (!lagrangian && limit && field == "position")
