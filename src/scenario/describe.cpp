@@ -134,6 +134,7 @@ void describe(Description& d, Scenario& scenario, const Catalogue& catalogue) {
   });
   d.section({"time", "step and end", true}, [&] { describe_time(d, scenario.time, catalogue); });
   d.section({"output", "what is written"}, [&] { describe_output(d, scenario.output); });
+  describe_probes(d, scenario.probes);
   d.section({"check", "what the result must hold"},
             [&] { describe_check(d, scenario, catalogue); });
 }

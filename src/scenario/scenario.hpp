@@ -12,6 +12,7 @@
 #include "mote/scenario/document.hpp"
 #include "mote/scenario/expression.hpp"
 #include "mote/scenario/operator_choice.hpp"
+#include "mote/scenario/probes.hpp"
 
 namespace mote {
 
@@ -54,6 +55,8 @@ struct Scenario {
     std::int64_t history = 0;     ///< steps between rows of history.csv
     bool picture = true;
   } output;
+
+  std::vector<Probe> probes;
 
   /// Limits by name; a name without a limit is not checked.
   using Limits = std::vector<std::pair<std::string, std::optional<double>>>;
