@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 
+#include "mote/app/history_checks.hpp"
 #include "mote/app/physical_memory.hpp"
 #include "mote/particles/failure.hpp"
 #include "mote/scenario/located_error.hpp"
@@ -127,6 +129,7 @@ void Simulation::build(const Document& document, const Catalogue& catalogue) {
   conserved_at_start_ = model_->conserved();
   limit_step(document);
   make_exact(catalogue);
+  make_observer();
 }
 
 void Simulation::refuse_operators_that_do_not_fit(const Document& document) {
@@ -216,6 +219,22 @@ void Simulation::make_exact(const Catalogue& catalogue) {
                      fmt::format("the exact solution {} ends at t = {:.6g}, before the run does "
                                  "at t = {}",
                                  against, exact_->valid_until(), scenario_.time.end));
+}
+
+/// The probes, and the checks of what they and the model tell.
+void Simulation::make_observer() {
+  const Triple period{};
+  if (!scenario_.probes.empty()) observer_.emplace(scenario_.probes, period, *model_);
+  std::vector<std::string> columns{"time", "step"};
+  for (const Conserved& quantity : conserved_at_start_) columns.push_back(quantity.name);
+  for (const Reading& reading : observations()) columns.push_back(reading.name);
+  refuse_unknown_quantities(scenario_.check.history, columns);
+}
+
+std::vector<Reading> Simulation::observations() {
+  std::vector<Reading> readings = model_->readings();
+  if (observer_) std::ranges::move(observer_->readings(*model_), std::back_inserter(readings));
+  return readings;
 }
 
 void Simulation::restore(const Snapshot& snapshot) {

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mote/exact/exact_solution.hpp"
@@ -25,6 +27,28 @@ class FlowSolution {
   /// The fields at places of `dimension` numbers each: velocity_x, velocity_y[, velocity_z], and
   /// pressure where it is known.
   virtual Table at_places(std::span<const double> position, int dimension, double time) const = 0;
+};
+
+/// A flow as the exact solution that a run in space is compared with, at the places of its
+/// particles.
+class FlowReference final : public ExactSolution {
+ public:
+  FlowReference(std::unique_ptr<FlowSolution> flow, int dimension)
+      : flow_(std::move(flow)), dimension_(dimension) {}
+
+  std::string statement() const override { return flow_->statement(); }
+  double valid_until() const override { return flow_->valid_until(); }
+  Table at_places(std::span<const double> position, double time) const override {
+    return flow_->at_places(position, dimension_, time);
+  }
+  /// Flows are known by place: throws std::logic_error.
+  Table of_particles(double time) const override;
+  /// A flow has no curve along one line: an empty table.
+  Table curve(double /*time*/) const override { return {}; }
+
+ private:
+  std::unique_ptr<FlowSolution> flow_;
+  int dimension_;
 };
 
 /// Velocity and pressure at one place; in two dimensions the last component is 0.

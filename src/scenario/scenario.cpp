@@ -45,8 +45,11 @@ void check_together(const Scenario& scenario, const Document& document) {
     refuse("operator", fmt::format("the operator {} does not exist in {} dimensions",
                                    scenario.differential_operator.name(), scenario.dimension));
   if (!scenario.probes.empty() && scenario.model->lives_on_a_line())
-    refuse("probes", fmt::format("probes look into flows in space, and the model {} lives on a line",
-                                 scenario.model_type));
+    refuse("probes",
+           fmt::format("probes look into flows in space, and the model {} lives on a line",
+                       scenario.model_type));
+  check_history_checks(scenario.check.history, scenario.time.end, scenario.constants_by_name(),
+                       document);
   check_probes(scenario.probes, {dimension, scenario.domain.lower, scenario.domain.upper},
                document);
   const double steps = scenario.time.end / scenario.time.step;
