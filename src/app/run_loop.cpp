@@ -17,6 +17,7 @@
 namespace mote {
 
 std::vector<Reading> history_columns(Simulation& simulation) {
+  simulation.model().complete_fields();
   std::vector<Reading> columns;
   for (const Conserved& quantity : simulation.model().conserved())
     columns.push_back({quantity.name, quantity.value});

@@ -174,7 +174,7 @@ void Simulation::limit_step(const Document& document) {
 
 Step Simulation::next_step(std::int64_t frame, std::int64_t number, double time) {
   constexpr double courant = 0.25;
-  const double longest = model_->longest_step(courant);
+  const double longest = model_->longest_step(time, courant);
   if (std::isinf(longest)) return plan_.equal_step(frame, number);
   return plan_.step_within(frame, time, longest);
 }

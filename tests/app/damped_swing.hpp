@@ -39,7 +39,7 @@ class DampedSwing final : public Model {
   Parameters parameters() const override { return {}; }
 
   /// Shorter where the particles are faster, down to nothing at all with `collapse`.
-  double longest_step(double courant) override {
+  double longest_step(double, double courant) override {
     return courant / (1 + 10 * fastest()) - collapse_ * fastest();
   }
   void start_afresh() override { current_ = false; }
