@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <limits>
 
+#include "mote/app/history_checks.hpp"
 #include "mote/app/line_setup.hpp"
 #include "mote/app/physical_memory.hpp"
 #include "mote/app/space_setup.hpp"
@@ -84,6 +88,7 @@ void Simulation::build(const Document& document, const Catalogue& catalogue) {
   conserved_at_start_ = model_->conserved();
   if (recipe.lives_on_a_line()) limit_step(document);
   make_exact(catalogue);
+  make_observer();
 }
 
 void Simulation::warn(const std::string& where, const std::string& message) {
@@ -128,10 +133,10 @@ void Simulation::make_exact(const Catalogue& catalogue) {
   const std::string& against = scenario_.check.against;
   if (against == "nothing") return;
   const auto& solution = entry_named(catalogue.exact_solutions, against);
-  if (!scenario_.model->lives_on_a_line())
+  if (!solution.make)
     throw InputError("check.against",
-                     fmt::format("{} belongs to models on a line, and the model {} lives in space",
-                                 against, scenario_.model_type));
+                     fmt::format("{} is a flow in space, and the model {} lives on a line", against,
+                                 scenario_.model_type));
   const bool lagrangian = model_->frame() == Frame::lagrangian;
   for (const auto& [field, limit] : scenario_.check.of(model_->frame()).fields)
     if (!lagrangian && limit && field == "position")
@@ -148,6 +153,22 @@ void Simulation::make_exact(const Catalogue& catalogue) {
                      fmt::format("the exact solution {} ends at t = {:.6g}, before the run does "
                                  "at t = {}",
                                  against, exact_->valid_until(), scenario_.time.end));
+}
+
+/// The probes, and the checks of what they and the model tell.
+void Simulation::make_observer() {
+  const Triple period{};
+  if (!scenario_.probes.empty()) observer_.emplace(scenario_.probes, period, *model_);
+  std::vector<std::string> columns{"time", "step"};
+  for (const Conserved& quantity : conserved_at_start_) columns.push_back(quantity.name);
+  for (const Reading& reading : observations()) columns.push_back(reading.name);
+  refuse_unknown_quantities(scenario_.check.history, columns);
+}
+
+std::vector<Reading> Simulation::observations() {
+  std::vector<Reading> readings = model_->readings();
+  if (observer_) std::ranges::move(observer_->readings(*model_), std::back_inserter(readings));
+  return readings;
 }
 
 void Simulation::restore(const Snapshot& snapshot) {

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mote/app/time_plan.hpp"
 #include "mote/catalogue/catalogue.hpp"
+#include "mote/observe/observer.hpp"
 #include "mote/output/certificate.hpp"
 #include "mote/output/snapshot.hpp"
 #include "mote/scenario/scenario.hpp"
@@ -43,7 +45,7 @@ class Simulation {
   void start_afresh();
 
   /// What history.csv tells beside the conserved quantities.
-  std::vector<Reading> observations() { return model_->readings(); }
+  std::vector<Reading> observations();
 
   /// One step of the integrator, and what the model does around it. Throws NumericalFailure.
   void advance(double time, double step);
@@ -57,6 +59,7 @@ class Simulation {
   void limit_step(const Document& document);
   void warn(const std::string& where, const std::string& message);
   void make_exact(const Catalogue& catalogue);
+  void make_observer();
 
   Scenario scenario_;
   std::string fingerprint_, resolved_yaml_;
@@ -66,6 +69,7 @@ class Simulation {
   std::unique_ptr<Model> model_;
   std::unique_ptr<Integrator> integrator_;
   std::unique_ptr<ExactSolution> exact_;
+  std::optional<Observer> observer_;
   std::vector<Conserved> conserved_at_start_;
   std::vector<std::string> warnings_;
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mote/exact/exact_solution.hpp"
+#include "mote/exact/flow_solution.hpp"
 #include "mote/integrators/integrator.hpp"
 #include "mote/models/model.hpp"
 #include "mote/operators/differential/all.hpp"
@@ -56,10 +57,19 @@ struct ExactSetup {
   std::function<std::unique_ptr<Model>(int pieces)> refined;
 };
 
+/// What a flow known in closed form is made from: the particles and initial fields that a model in
+/// space started from, and its parameters.
+struct FlowSetup {
+  const SpaceStart& start;
+  Parameters parameters;
+};
+
+/// An exact solution on a line, or a flow in space: one of the two is empty. Both throw InputError
+/// if the solution is not one of this model with these parameters.
 struct ExactEntry : Choice {
   std::vector<std::string> fields;  ///< what a `check` may set a limit for
-  /// Throws InputError if the solution is not one of this model with these parameters.
   std::function<std::unique_ptr<ExactSolution>(const ExactSetup& setup)> make;
+  std::function<std::unique_ptr<FlowSolution>(const FlowSetup& setup)> make_flow;
 };
 
 /// Everything that a scenario can name. `standard_catalogue` holds mote's own lists; a program

@@ -42,6 +42,14 @@ void check_together(const Scenario& scenario, const Document& document) {
   if (!scenario.differential_operator.made)
     refuse("operator", fmt::format("the operator {} does not exist in {} dimensions",
                                    scenario.differential_operator.name(), scenario.dimension));
+  if (!scenario.probes.empty() && scenario.model->lives_on_a_line())
+    refuse("probes",
+           fmt::format("probes look into flows in space, and the model {} lives on a line",
+                       scenario.model_type));
+  check_history_checks(scenario.check.history, scenario.time.end, scenario.constants_by_name(),
+                       document);
+  check_probes(scenario.probes, {dimension, scenario.domain.lower, scenario.domain.upper},
+               document);
   const double steps = scenario.time.end / scenario.time.step.value_or(scenario.time.end);
   if (!(steps < 1e12))
     refuse("time.step", fmt::format("{:.3g} steps of {} to the end {} are more than 1e12", steps,
