@@ -106,9 +106,14 @@ void Simulation::limit_step(const Document& document) {
   }
 }
 
+/// How long the state allows the next step to be; infinite where it does not matter. Models on a
+/// line have no Courant number.
+double Simulation::longest_step(double time) {
+  return model_->longest_step(time, scenario_.time.courant.value_or(1));
+}
+
 Step Simulation::next_step(std::int64_t frame, std::int64_t number, double time) {
-  constexpr double courant = 0.25;
-  const double longest = model_->longest_step(time, courant);
+  const double longest = longest_step(time);
   if (std::isinf(longest)) return plan_.equal_step(frame, number);
   return plan_.step_within(frame, time, longest);
 }

@@ -60,6 +60,9 @@ void check_together(const Scenario& scenario, const Document& document) {
 }
 
 void fill_defaults_on_a_line(Scenario& scenario) {
+  if (scenario.output.history == 0)
+    scenario.output.history = std::max<std::int64_t>(
+        1, static_cast<std::int64_t>(*scenario.output.every / *scenario.time.step / 10));
   if (scenario.particles.layout.empty()) scenario.particles.layout = "regular";
   if (!scenario.domain.boundary) scenario.domain.boundary = LineEnds::zero_gradient;
   if (!scenario.domain.extension)
@@ -79,10 +82,6 @@ void fill_defaults(Scenario& scenario) {
   auto& output = scenario.output;
   if (!output.every) output.every = scenario.time.end / 10;
   if (*output.every > scenario.time.end) output.every = scenario.time.end;
-  if (output.history == 0) {
-    const double steps = scenario.time.step ? *output.every / *scenario.time.step : 100;
-    output.history = std::max<std::int64_t>(1, static_cast<std::int64_t>(steps / 10));
-  }
   if (scenario.model->lives_on_a_line())
     fill_defaults_on_a_line(scenario);
   else
