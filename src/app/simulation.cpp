@@ -82,12 +82,12 @@ void Simulation::build(const Document& document, const Catalogue& catalogue) {
     if (!warning.empty()) warn(document.locate("domain.extension"), warning);
     model_ = recipe.make(line_setup(scenario_, catalogue));
   } else {
-    model_ = recipe.make(space_setup(scenario_));
+    make_flow(catalogue);
   }
   integrator_ = entry_named(catalogue.integrators, scenario_.time.integrator).make();
   conserved_at_start_ = model_->conserved();
   if (recipe.lives_on_a_line()) limit_step(document);
-  make_exact(catalogue);
+  if (recipe.lives_on_a_line()) make_exact(catalogue);
   make_observer();
 }
 
@@ -153,16 +153,45 @@ void Simulation::make_exact(const Catalogue& catalogue) {
   const auto refined = [recipe = scenario_.model.get(), start = line_start(scenario_, catalogue)](
                            int pieces) { return recipe->make_reference({divided(start, pieces)}); };
   exact_ = solution.make({start.cloud(), start.parameters(), initial_value(scenario_), refined});
+  refuse_early_end();
+}
+
+void Simulation::refuse_early_end() const {
   if (scenario_.time.end >= exact_->valid_until())
     throw InputError("time.end",
                      fmt::format("the exact solution {} ends at t = {:.6g}, before the run does "
                                  "at t = {}",
-                                 against, exact_->valid_until(), scenario_.time.end));
+                                 scenario_.check.against, exact_->valid_until(),
+                                 scenario_.time.end));
+}
+
+/// The model in space and the flow that it is compared with, which is made from the same start.
+void Simulation::make_flow(const Catalogue& catalogue) {
+  SpaceSetup setup = space_setup(scenario_, catalogue);
+  const std::string& against = scenario_.check.against;
+  if (against == "nothing") {
+    model_ = scenario_.model->make(std::move(setup));
+    return;
+  }
+  const auto& solution = entry_named(catalogue.exact_solutions, against);
+  if (!solution.make_flow)
+    throw InputError("check.against",
+                     fmt::format("{} belongs to models on a line, and the model {} lives in space",
+                                 against, scenario_.model_type));
+  const SpaceStart start = setup;
+  model_ = scenario_.model->make(std::move(setup));
+  exact_ = std::make_unique<FlowReference>(solution.make_flow({start, model_->parameters()}),
+                                           start.dimension);
+  refuse_early_end();
 }
 
 /// The probes, and the checks of what they and the model tell.
 void Simulation::make_observer() {
-  const Triple period{};
+  Triple period{};
+  for (const std::string& axis : scenario_.domain.periodic) {
+    const auto d = static_cast<std::size_t>(axis.front() - 'x');
+    period[d] = scenario_.domain.upper[d] - scenario_.domain.lower[d];
+  }
   if (!scenario_.probes.empty()) observer_.emplace(scenario_.probes, period, *model_);
   std::vector<std::string> columns{"time", "step"};
   for (const Conserved& quantity : conserved_at_start_) columns.push_back(quantity.name);

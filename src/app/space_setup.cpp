@@ -83,6 +83,18 @@ std::function<double(std::string_view, const Triple&)> initial_in_space(const Sc
   };
 }
 
+/// The pair terms: on the operator's kernel and smoothing length if it has a kernel, else on
+/// Wendland's C2 with the operator's reach.
+void add_terms(const Scenario& scenario, const Catalogue& catalogue, SpaceSetup& setup) {
+  const NeighbourRule rule = scenario.differential_operator.made->neighbour_rule();
+  const auto kernel =
+      std::ranges::find(catalogue.kernels, scenario.differential_operator.member, &KernelEntry::name);
+  const bool found = kernel != catalogue.kernels.end();
+  setup.terms = (found ? *kernel : entry_named(catalogue.kernels, "wendland_c2"))
+                    .fluid_terms(scenario.dimension);
+  setup.smoothing_length = found ? rule.smoothing_length : rule.reach() / 2;
+}
+
 }  // namespace
 
 SpacePlan space_plan(const Scenario& scenario) {
@@ -127,8 +139,9 @@ SpaceStart space_start(const Scenario& scenario) {
   return start;
 }
 
-SpaceSetup space_setup(Scenario& scenario) {
+SpaceSetup space_setup(Scenario& scenario, const Catalogue& catalogue) {
   SpaceSetup setup{space_start(scenario)};
+  add_terms(scenario, catalogue, setup);
   setup.differential_operator = std::move(scenario.differential_operator.made);
   const std::string& search = scenario.neighbours.search;
   setup.search = search == "automatic" ? "" : search;

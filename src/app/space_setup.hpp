@@ -14,7 +14,7 @@ SpacePlan space_plan(const Scenario& scenario);
 SpaceStart space_start(const Scenario& scenario);
 
 /// What the scenario's model in space is made from; takes its operator.
-SpaceSetup space_setup(Scenario& scenario);
+SpaceSetup space_setup(Scenario& scenario, const Catalogue& catalogue);
 
 /// Memory of a run in space, at most about. Throws InputError as `most_particles` does. [bytes]
 double memory_in_space(const Scenario& scenario);

@@ -52,6 +52,11 @@ WeaklyCompressible<D>::WeaklyCompressible(const WeaklyCompressibleOptions& optio
       neighbours_(start_, start_.search, reach_) {
   refuse_what_does_not_go_together();
   choose_coefficients();
+  for (int thread = 0; thread < omp_get_max_threads(); ++thread) {
+    forces_.emplace_back();
+    for (const std::string& formula : options_.force)
+      forces_.back().push_back(start_.compile(formula));
+  }
   fill_cloud();
   name_parts();
 }
