@@ -96,8 +96,8 @@ void add_all(int threads) {
     add(in + name + "/lattice", threads,
         [=](auto& state) { search<D>(state, name, Order::lattice, threads); });
   }
-  add(in + "order and find", threads, [=](auto& state) { grid<D>(state, false, threads); });
-  add(in + "find in order", threads, [=](auto& state) { grid<D>(state, true, threads); });
+  add(in + "order_and_find", threads, [=](auto& state) { grid<D>(state, false, threads); });
+  add(in + "find_in_order", threads, [=](auto& state) { grid<D>(state, true, threads); });
 }
 
 }  // namespace
