@@ -92,6 +92,8 @@ std::span<const Index> CellGrid<D>::order(std::span<const double> position, Inde
 template <int D>
 void CellGrid<D>::spread(std::span<const double> position, Index receivers, bool sorted) {
   const auto count = static_cast<Index>(position.size() / D);
+  others_ = receivers < count;
+  cell_.resize(static_cast<std::size_t>(count));
   for (auto& x : place_) x.resize(static_cast<std::size_t>(count) + scan_lanes);
 #pragma omp parallel for schedule(static) if (parallel_from <= count)
   for (Index k = 0; k < count; ++k) {
@@ -121,10 +123,12 @@ void CellGrid<D>::find(std::span<const double> position, Index receivers, double
   lists.restart(receivers, position.size() / D + scan_lanes);
   if (receivers == 0) return;
   layout_ = CellLayout<D>(position, reach);
-  find_cells(position, receivers);
+  spread(position, receivers, true);
   const bool sorted = std::ranges::is_sorted(cell_);
-  if (!sorted) sort();
-  spread(position, receivers, sorted);
+  if (!sorted) {
+    sort();
+    spread(position, receivers, false);
+  }
   mark_starts();
   SortedPoints<D> points{layout_, {}, cell_.data(), start_.data(), others_};
   for (int d = 0; d < D; ++d) points.place[d] = place_[d].data();

@@ -78,8 +78,9 @@ CellLayout<D>::CellLayout(std::span<const double> position, double reach) {
   fold(wanted, position.size() / D);
 }
 
-/// Halves the longest axis until the cells are not many more than the points. Axes of odd and even
-/// extents, so that a diagonal does not fold onto itself.
+/// Halves axes until the cells are not many more than the points, each time the one that is longest
+/// in comparison to what a search sees of it at once: no axis becomes shorter than that. Extents
+/// are odd and even, so that a diagonal does not fold onto itself.
 template <int D>
 void CellLayout<D>::fold(std::array<double, D> wanted, std::size_t points) {
   const double limit = 4 * static_cast<double>(points) + 4096;
@@ -88,9 +89,12 @@ void CellLayout<D>::fold(std::array<double, D> wanted, std::size_t points) {
     for (const double cells : wanted) product *= cells;
     return product;
   };
+  const auto views = [&](int d) { return wanted[d] / (2 * rim<D>(d) + (d == 0 ? 0 : 1)); };
   while (product() > limit) {
-    const auto longest = std::ranges::max_element(wanted);
-    *longest = std::floor(*longest / 2) + (longest == wanted.begin() ? 0 : 1);
+    int longest = 0;
+    for (int d = 1; d < D; ++d)
+      if (views(d) > views(longest)) longest = d;
+    wanted[longest] = std::floor(wanted[longest] / 2) + (longest == 0 ? 0 : 1);
   }
   cells = 1;
   for (int d = 0; d < D; ++d) cells *= extent[d] = static_cast<Index>(wanted[d]);

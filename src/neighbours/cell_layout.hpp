@@ -18,7 +18,7 @@ namespace mote {
 /// the last one is the first.
 template <int D>
 struct CellLayout {
-  static constexpr int fineness = 4;  ///< cells along x in a reach
+  static constexpr int fineness = 8;  ///< cells along x in a reach
 
   /// For points at these places, D numbers each, of which there must be at least one.
   CellLayout(std::span<const double> position, double reach);

@@ -83,5 +83,135 @@ TYPED_TEST(CellGridIn, FindsWhatTryingAllPairsFinds) {
       }
 }
 
+TYPED_TEST(CellGridIn, FindsCoincidentPointsAtNoReach) {
+  constexpr int D = TestFixture::D;
+  const auto points = coincident_cloud<D>();
+  const NeighbourLists lists = search(points, {.support = 0});
+  EXPECT_GT(lists.pairs(), points.receivers);
+  EXPECT_TRUE(same_lists(points, sorted(lists), all_pairs(points, {.support = 0})));
+}
+
+TYPED_TEST(CellGridIn, TakesCloudsWithoutReceivers) {
+  constexpr int D = TestFixture::D;
+  auto points = random_cloud<D>();
+  points.receivers = 0;
+  for (const auto& cloud : {points, Points<D>{}}) {
+    EXPECT_EQ(search(cloud, {.support = 2}).receivers(), 0);
+    EXPECT_EQ(CellGrid<D>().order(cloud.position, 0, 1).size(), cloud.length.size());
+  }
+}
+
+TYPED_TEST(CellGridIn, RefusesAdjacentPoints) {
+  EXPECT_THROW(search(random_cloud<TestFixture::D>(), {.adjacent = 1}), std::invalid_argument);
+}
+
+TYPED_TEST(CellGridIn, ForgetsTheCloudItSearchedBefore) {
+  constexpr int D = TestFixture::D;
+  CellGridSearch<D> used;
+  NeighbourLists lists;
+  for (const auto& [name, points] : clouds_for_grids<D>()) {
+    used.find(points, {.support = 2}, lists);
+    EXPECT_TRUE(lists == search(points, {.support = 2})) << name;
+  }
+}
+
+/// Points that `order` puts in order, of one length.
+template <int D>
+Points<D> ordered(const Points<D>& points, double reach) {
+  CellGrid<D> grid;
+  auto result = points;
+  Index place = 0;
+  for (const Index i : grid.order(points.position, points.receivers, reach)) {
+    for (int d = 0; d < D; ++d) result.position[place * D + d] = points.position[i * D + d];
+    ++place;
+  }
+  return result;
+}
+
+TYPED_TEST(CellGridIn, OrdersReceiversBeforeOthers) {
+  constexpr int D = TestFixture::D;
+  for (const auto& [name, points] : clouds_for_grids<D>()) {
+    CellGrid<D> grid;
+    const auto order = grid.order(points.position, points.receivers, 0.7);
+    std::vector<Index> seen(order.begin(), order.end());
+    EXPECT_TRUE(std::ranges::all_of(order.first(static_cast<std::size_t>(points.receivers)),
+                                    [&](Index i) { return i < points.receivers; }));
+    std::ranges::sort(seen);
+    for (Index i = 0; i < points.size(); ++i) ASSERT_EQ(seen[i], i) << name;
+  }
+}
+
+/// Points that are in order have lists in the order of numbers.
+TYPED_TEST(CellGridIn, ListsOrderedPointsInOrder) {
+  constexpr int D = TestFixture::D;
+  for (const auto& [name, cloud] :
+       {std::pair("plane", plane<D>()), std::pair("lattice", lattice<D>())}) {
+    const double reach = 2 * cloud.length[0];
+    const auto points = ordered(cloud, reach);
+    NeighbourLists lists;
+    CellGrid<D>().find(points.position, points.receivers, reach, {}, lists);
+    EXPECT_TRUE(lists == all_pairs(points, {.support = 2})) << name;
+  }
+}
+
+/// The order depends on places, and on the points' ids where places agree in their cell.
+TYPED_TEST(CellGridIn, OrderDoesNotDependOnTheOrderBefore) {
+  constexpr int D = TestFixture::D;
+  auto points = coincident_cloud<D>();
+  points.receivers = points.size();
+  std::iota(points.mass.begin(), points.mass.end(), 0);
+  auto shuffled = points;
+  shuffle(shuffled, 31);
+  const auto ids_in_order = [](const Points<D>& cloud) {
+    const std::vector<Index> id(cloud.mass.begin(), cloud.mass.end());
+    CellGrid<D> grid;
+    std::vector<Index> ids;
+    for (const Index i : grid.order(cloud.position, cloud.receivers, 1, id)) ids.push_back(id[i]);
+    return ids;
+  };
+  EXPECT_NE(points.position, shuffled.position);
+  EXPECT_EQ(ids_in_order(points), ids_in_order(shuffled));
+}
+
+TYPED_TEST(CellGridIn, LeavesOutPairsOfIdlePoints) {
+  constexpr int D = TestFixture::D;
+  const auto points = plane<D>();
+  const NeighbourRule rule{.support = 2};
+  std::vector<std::uint8_t> idle(points.length.size());
+  for (std::size_t i = 0; i < idle.size(); ++i) idle[i] = i % 3 == 0;
+  NeighbourLists expected = all_pairs(points, rule), lists;
+  const auto pairs = expected.pairs();
+  expected.keep_if([&](Index i, Index j) { return !(idle[i] && idle[j]); });
+  EXPECT_LT(expected.pairs(), pairs);
+  CellGrid<D>().find(points.position, points.receivers, 2 * points.length[0], idle, lists);
+  EXPECT_TRUE(sorted(lists) == expected);
+}
+
+TYPED_TEST(CellGridIn, GivesTheSameAtAnyNumberOfThreads) {
+  constexpr int D = TestFixture::D;
+  const auto points = jittered_cloud<D>({.side = D == 1 ? 7000 : (D == 2 ? 83 : 19)});
+  ASSERT_GT(points.receivers, parallel_from);
+  const int threads_before = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const NeighbourLists lists = search(points, {.support = 2});
+  const auto position = ordered(points, 2).position;
+  for (const int threads : {2, 4}) {
+    omp_set_num_threads(threads);
+    EXPECT_TRUE(lists == search(points, {.support = 2})) << threads << " threads";
+    EXPECT_EQ(position, ordered(points, 2).position) << threads << " threads";
+  }
+  omp_set_num_threads(threads_before);
+}
+
+TYPED_TEST(CellGridIn, CheckNoticesADamagedList) {
+  constexpr int D = TestFixture::D;
+  const auto points = random_cloud<D>();
+  const NeighbourRule rule{.support = 2};
+  auto lists = copies_of(sorted(search(points, rule)));
+  EXPECT_TRUE(same_lists(points, NeighbourLists(lists), all_pairs(points, rule)));
+  lists[3].pop_back();
+  EXPECT_FALSE(same_lists(points, NeighbourLists(lists), all_pairs(points, rule)));
+}
+
 }  // namespace
 }  // namespace mote::test
