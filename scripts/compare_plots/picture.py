@@ -29,6 +29,8 @@ def line_style(k, count, width):
 class Profiles:
     """The last snapshots of the members that reached the end, at the finest resolution."""
 
+    shown = "fields at"
+
     def __init__(self, table):
         self.table, self.members = table, table.finest()
         self.snapshots = {k: read_snapshot(max((member.folder / "snapshots").glob("*.hdf")))
@@ -100,7 +102,7 @@ def subtitle(table, profiles):
     words = []
     if profiles.snapshots:
         times = sorted({shot[0] for shot in profiles.snapshots.values()})
-        words.append("fields at " + ", ".join(f"t = {time:g}" for time in times))
+        words.append(profiles.shown + " " + ", ".join(f"t = {time:g}" for time in times))
     if table.refinement:
         words[-1:] = [" ".join(words[-1:] + [f"with the finest {table.refinement}"])]
     if table.keys:
@@ -125,13 +127,12 @@ def place_legend(figure, free, handles):
         add_legend(figure, handles)
 
 
-def draw(folder, table):
-    profiles = Profiles(table)
+def draw(folder, table, profiles):
     # The first that has one: a run that was killed does not.
     summary = read_summary(min((member.folder for member in profiles.members),
                                key=lambda own: not (own / "summary.json").exists()))
     below = sorted(table.fields, key="position".__eq__) if table.refinement else []
-    figure, grid = make_grid(2 if below else 1, max(len(profiles.fields), len(below)))
+    figure, grid = make_grid(2 if below else 1, max(len(profiles.fields), len(below), 1))
     arrange(figure, grid, (4.2, 2.9), (0.85, 0.6))
     for axes, name in zip(grid[0], profiles.fields):
         profiles.draw(axes, name, summary)

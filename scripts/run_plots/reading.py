@@ -3,16 +3,46 @@ import csv
 import json
 
 import h5py
+import numpy as np
+
+
+def read_time(path):
+    with h5py.File(path) as file:
+        return float(file["mote"].attrs["time"])
+
+
+def read_dimension(path):
+    with h5py.File(path) as file:
+        return int(file["mote"].attrs["dimension"])
+
+
+def read_text(attributes, name):
+    return attributes[name].decode().rstrip("\0")
 
 
 def read_snapshot(path):
-    """Time, position, the fields by name, and their SI units."""
+    """Time, position, the fields by name, and their SI units, of a run on a line."""
     with h5py.File(path) as file:
         group = file["mote"]
         fields = {name: values[...].ravel() for name, values in group["state"].items()}
-        units = {name: values.attrs["unit"].decode().rstrip("\0")
-                 for name, values in group["state"].items()}
+        units = {name: read_text(values.attrs, "unit") for name, values in group["state"].items()}
         return float(group.attrs["time"]), fields, units
+
+
+class FlowSnapshot:
+    """The particles of a run in space: places, some fields, and which of them are fluid."""
+
+    def __init__(self, path, names):
+        with h5py.File(path) as file:
+            group = file["mote"]
+            state = group["state"]
+            self.spacing = float(group.attrs["spacing"])
+            self.position = state["position"][...]
+            kinds = read_text(group.attrs, "body_kinds").splitlines()
+            fluid = np.array([kind == "fluid" for kind in kinds])
+            self.fluid = fluid[state["body"][...].astype(int)]
+            self.fields = {name: state[name][...] for name in names if name in state}
+            self.units = {name: read_text(state[name].attrs, "unit") for name in self.fields}
 
 
 def read_columns(path):

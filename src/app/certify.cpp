@@ -1,3 +1,5 @@
+#include <sys/resource.h>
+
 #include <cmath>
 
 #include "mote/app/simulation.hpp"
@@ -6,14 +8,75 @@
 namespace mote {
 namespace {
 
+/// The particles whose fields an exact solution knows: all on a line, the fluid's in space.
+std::vector<Index> compared(const Model& model) {
+  const auto bodies = model.bodies();
+  std::vector<Index> found;
+  for (Index i = 0; i < model.cloud().count(); ++i)
+    if (bodies.empty() ||
+        bodies[static_cast<std::size_t>(model.cloud().values("body")[i])].kind == BodyKind::fluid)
+      found.push_back(i);
+  return found;
+}
+
+/// The columns of a reference for a field, one a component: `f`, or `f_x`, `f_y`, ... of a vector
+/// in space; none if it does not know them all.
+std::vector<const Column*> columns_of(const Field& field, const Table& reference) {
+  std::vector<const Column*> columns;
+  for (int c = 0; c < field.components; ++c)
+    for (const Column& column : reference)
+      if (column.name == field.name ||
+          (field.kind == FieldKind::vector && column.name == field.name + "_" + axis_names[c]))
+        columns.push_back(&column);
+  if (columns.size() != static_cast<std::size_t>(field.components)) columns.clear();
+  return columns;
+}
+
+/// The error of a field over some particles, whose reference the columns hold in the same order.
+ErrorNorms error_of(const Field& field, const std::vector<Index>& particles,
+                    const std::vector<const Column*>& columns) {
+  std::vector<double> values, reference;
+  for (std::size_t row = 0; row < particles.size(); ++row)
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      values.push_back(field.values[static_cast<std::size_t>(particles[row]) * columns.size() + c]);
+      reference.push_back(columns[c]->values[row]);
+    }
+  return error_norms(field.name, values, reference, field.components);
+}
+
+std::vector<double> places_of(const Cloud& cloud, const std::vector<Index>& particles) {
+  std::vector<double> places;
+  for (const Index i : particles)
+    for (int c = 0; c < cloud.dimension(); ++c)
+      places.push_back(cloud.position()[static_cast<std::size_t>(i) * cloud.dimension() + c]);
+  return places;
+}
+
+/// The exact fields of these particles: on a line moving points are compared with the solution at
+/// the same points of the material, all others with the one at their places.
+Table reference_of(const Simulation& simulation, const std::vector<Index>& particles, double time) {
+  const Model& model = simulation.model();
+  if (model.frame() == Frame::lagrangian && model.bodies().empty())
+    return simulation.exact()->of_particles(time);
+  return simulation.exact()->at_places(places_of(model.cloud(), particles), time);
+}
+
 void compare_with_exact(const Simulation& simulation, double time, Certificate& certificate) {
-  const Cloud& cloud = simulation.model().cloud();
-  const bool lagrangian = simulation.model().frame() == Frame::lagrangian;
-  const Table reference = lagrangian ? simulation.exact()->of_particles(time)
-                                     : simulation.exact()->at_places(cloud.position(), time);
+  const std::vector<Index> particles = compared(simulation.model());
+  const Table reference = reference_of(simulation, particles, time);
   for (const Column& column : reference)
-    certificate.errors.push_back(
-        error_norms(column.name, cloud.values(column.name), column.values));
+    for (const Field& field : simulation.model().cloud().fields()) {
+      const auto columns = columns_of(field, reference);
+      if (!columns.empty() && columns.front() == &column)
+        certificate.errors.push_back(error_of(field, particles, columns));
+    }
+}
+
+/// The most memory that this process had, in bytes a particle.
+double peak_bytes_per_particle(const Model& model) {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss) / static_cast<double>(model.cloud().count());
 }
 
 /// Sets the numbers of the certificate against the limits of the scenario.
@@ -41,6 +104,8 @@ Certificate certificate_without_results(const Simulation& simulation, const Mome
                           .particles = simulation.model().cloud().count(),
                           .steps = moment.step,
                           .time = moment.time};
+  if (!simulation.model().bodies().empty())
+    certificate.bytes_per_particle = peak_bytes_per_particle(simulation.model());
   certificate.pair_work = simulation.model().pair_work();
   certificate.warnings = simulation.warnings();
   for (const std::string& warning : simulation.model().warnings())

@@ -13,21 +13,23 @@ class Progress {
   /// A bar if standard output is a terminal, else lines.
   static Style style_of_output();
 
-  Progress(Style style, std::int64_t total_steps, std::int64_t first_step);
+  /// Of a run from `start` to `end`.
+  Progress(Style style, double start, double end);
 
   /// After a step; draws the bar at most ten times a second.
-  void step_done(std::int64_t step, double time);
+  void step_done(double time);
   /// After a snapshot; prints a line.
   void snapshot_done(std::int64_t step, double time);
   void end();
 
  private:
   double seconds() const;
-  double seconds_left(std::int64_t step) const;
+  double seconds_left(double time) const;
+  int percent(double time) const;
 
   Style style_;
-  std::int64_t total_, first_;
-  std::chrono::steady_clock::time_point start_;
+  double first_, end_;
+  std::chrono::steady_clock::time_point started_;
   double last_drawn_ = -1;
 };
 

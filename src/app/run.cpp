@@ -14,9 +14,11 @@ int run(const Catalogue& catalogue, const RunOptions& options) {
   write_file(folder.file("run.yaml"),
              fmt::format("{}\n{}", run_file_mark, simulation.resolved_yaml()));
   const Moment start;
-  folder.history().begin(simulation.conserved_at_start());
-  folder.history().add(start, simulation.conserved_at_start());
-  folder.add_snapshot(start, simulation.fingerprint(), simulation.model().cloud());
+  const auto columns = history_columns(simulation);
+  folder.history().begin(columns);
+  folder.history().add(start, columns);
+  folder.add_snapshot(start, simulation.fingerprint(), simulation.model().cloud(),
+                      scene_of(simulation.model()));
   return RunLoop(simulation, folder, progress_style(options), start).go_on();
 }
 

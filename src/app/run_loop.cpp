@@ -5,21 +5,30 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 
+#include "mote/app/neighbourhood.hpp"
 #include "mote/app/one_line.hpp"
 #include "mote/app/shared_folder.hpp"
 #include "mote/output/files.hpp"
 #include "mote/output/picture.hpp"
-#include "mote/particles/failure.hpp"
 
 namespace mote {
+
+std::vector<Reading> history_columns(Simulation& simulation) {
+  std::vector<Reading> columns;
+  for (const Conserved& quantity : simulation.model().conserved())
+    columns.push_back({quantity.name, quantity.value});
+  std::ranges::move(simulation.observations(), std::back_inserter(columns));
+  return columns;
+}
 
 RunLoop::RunLoop(Simulation& simulation, OutputFolder& folder, Progress::Style style,
                  const Moment& start)
     : simulation_(simulation),
       folder_(folder),
       style_(style),
-      progress_(style, simulation.plan().total_steps(), start.step),
+      progress_(style, start.time, simulation.scenario().time.end),
       start_(start),
       now_(start) {}
 
@@ -35,8 +44,7 @@ int RunLoop::go_on() {
     certificate = certificate_of(simulation_, now_);
   } catch (const NumericalFailure& broken) {
     stop_clock();
-    certificate = failed_certificate(
-        simulation_, now_, failure_message(broken.what(), broken.particles(), broken.cause()));
+    certificate = failed_certificate(simulation_, now_, failure_message(broken));
   }
   progress_.end();
   certificate.wall_seconds = wall.count();
@@ -46,42 +54,43 @@ int RunLoop::go_on() {
 }
 
 void RunLoop::run_to(std::int64_t frame) {
-  const TimePlan& plan = simulation_.plan();
-  Model& model = simulation_.model();
-  const double step = plan.step_to(frame);
-  simulation_.integrator().forget_rounding();
-  for (std::int64_t k = 1; k <= plan.steps_to(frame); ++k) {
-    const double time = now_.time;
-    now_ = {now_.frame, now_.step + 1, plan.time(frame, k)};
-    simulation_.advance(time, step);
-    const bool last = k == plan.steps_to(frame);
-    if (last || now_.step % simulation_.scenario().output.history == 0)
-      folder_.history().add(now_, model.conserved());
-    progress_.step_done(now_.step, now_.time);
+  simulation_.start_afresh();
+  const double target = simulation_.plan().time_of_frame(frame);
+  for (std::int64_t number = 1; now_.time < target; ++number) {
+    const double before = now_.time;
+    const Step step = simulation_.next_step(frame, number, before);
+    now_ = {now_.frame, now_.step + 1, step.end};
+    simulation_.advance(before, step.length);
+    if (wants_row(frame, before)) folder_.history().add(now_, history_columns(simulation_));
+    progress_.step_done(now_.time);
   }
   now_.frame = frame;
-  folder_.add_snapshot(now_, simulation_.fingerprint(), model.cloud());
+  folder_.add_snapshot(now_, simulation_.fingerprint(), simulation_.model().cloud(),
+                       scene_of(simulation_.model()));
   progress_.snapshot_done(now_.step, now_.time);
 }
 
-std::string RunLoop::failure_message(const std::string& what, const std::vector<Index>& particles,
-                                     const std::string& cause) const {
-  std::string neighbourhood;
-  const auto position = simulation_.model().cloud().position();
-  const Index count = simulation_.model().cloud().count();
-  for (Index i = std::max(0, particles.front() - 1); i <= std::min(count - 1, particles.back() + 1);
-       ++i)
-    neighbourhood +=
-        fmt::format("{}{} at {:.6g}", neighbourhood.empty() ? "" : ", ", i, position[i]);
-  return fmt::format(
-      "step {}, t = {:.6g}: {}. Likely cause: {}. Particles there: {}. Last good snapshot: {}",
-      now_.step, now_.time, what, cause, neighbourhood, folder_.snapshot(now_.frame).string());
+/// Whether the step that ends now gets a row in the history: the last one to a frame and every so
+/// many, or those that pass a tenth of the way.
+bool RunLoop::wants_row(std::int64_t frame, double before) const {
+  const TimePlan& plan = simulation_.plan();
+  const std::int64_t every = simulation_.scenario().output.history;
+  if (now_.time == plan.time_of_frame(frame)) return true;
+  return every > 0 ? now_.step % every == 0 : plan.passes_tenth(frame, before, now_.time);
+}
+
+std::string RunLoop::failure_message(const NumericalFailure& broken) const {
+  const std::string around = neighbourhood(simulation_.model().cloud(), broken.particles());
+  return fmt::format("step {}, t = {:.6g}: {}. Likely cause: {}. {}Last good snapshot: {}",
+                     now_.step, now_.time, broken.what(), broken.cause(),
+                     around.empty() ? "" : fmt::format("Particles there: {}. ", around),
+                     folder_.snapshot(now_.frame).string());
 }
 
 int RunLoop::conclude(Certificate certificate) {
   const double drawn = simulation_.plan().time_of_frame(now_.frame);
-  if (simulation_.exact() != nullptr)
-    folder_.write_table("exact.csv", simulation_.exact()->curve(drawn));
+  const Table curve = simulation_.exact() != nullptr ? simulation_.exact()->curve(drawn) : Table{};
+  if (!curve.empty()) folder_.write_table("exact.csv", curve);
   write_file(folder_.file("summary.json"), summary_json(certificate));
   std::string picture;
   if (simulation_.scenario().output.picture) {

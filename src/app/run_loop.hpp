@@ -5,8 +5,12 @@
 #include "mote/app/progress.hpp"
 #include "mote/app/simulation.hpp"
 #include "mote/output/folder.hpp"
+#include "mote/particles/failure.hpp"
 
 namespace mote {
+
+/// What a row of history.csv holds beside time and step.
+std::vector<Reading> history_columns(Simulation& simulation);
 
 /// Steps a simulation from `start`, the state that it is in, to its end with snapshots and history,
 /// writes the certificate and the picture, and says how it went. Returns the exit code: 0 every
@@ -19,9 +23,9 @@ class RunLoop {
 
  private:
   void run_to(std::int64_t frame);
+  bool wants_row(std::int64_t frame, double before) const;
   int conclude(Certificate certificate);
-  std::string failure_message(const std::string& what, const std::vector<Index>& particles,
-                              const std::string& cause) const;
+  std::string failure_message(const NumericalFailure& broken) const;
   void print_outcome(const Certificate& certificate, const std::string& picture) const;
 
   Simulation& simulation_;

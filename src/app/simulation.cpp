@@ -101,6 +101,18 @@ void Simulation::limit_step(const Document& document) {
   }
 }
 
+Step Simulation::next_step(std::int64_t frame, std::int64_t number, double time) {
+  const double courant = scenario_.time.courant.value_or(Scenario::Time::usual_courant);
+  const double longest = model_->longest_step(courant);
+  if (std::isinf(longest)) return plan_.equal_step(frame, number);
+  return plan_.step_within(frame, time, longest);
+}
+
+void Simulation::start_afresh() {
+  integrator_->forget_rounding();
+  model_->start_afresh();
+}
+
 void Simulation::advance(double time, double step) {
   model_->begin_step(time, step);
   if (strict_ && !model_->warnings().empty())

@@ -35,6 +35,16 @@ class Simulation {
   const std::vector<Conserved>& conserved_at_start() const { return conserved_at_start_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
 
+  /// The next step towards a frame, the `number`-th since the last one, from `time` on: one of the
+  /// plan, or as long as the state allows, where the model says so. Throws NumericalFailure.
+  Step next_step(std::int64_t frame, std::int64_t number, double time);
+
+  /// Forgets what a restart would not know: to be called at every snapshot.
+  void start_afresh();
+
+  /// What history.csv tells beside the conserved quantities.
+  std::vector<Reading> observations() { return model_->readings(); }
+
   /// One step of the integrator, and what the model does around it. Throws NumericalFailure.
   void advance(double time, double step);
 

@@ -1,7 +1,11 @@
 #include "mote/app/time_plan.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "mote/particles/failure.hpp"
 
 namespace mote {
 namespace {
@@ -39,6 +43,33 @@ double TimePlan::time(std::int64_t frame, std::int64_t step) const {
 
 std::int64_t TimePlan::total_steps() const {
   return (frames_ - 1) * (frames_ > 1 ? steps_to(1) : 0) + steps_to(frames_);
+}
+
+Step TimePlan::equal_step(std::int64_t frame, std::int64_t number) const {
+  return {step_to(frame), time(frame, number)};
+}
+
+Step TimePlan::step_within(std::int64_t frame, double time, double longest) const {
+  constexpr double shortest = 1e-9;
+  if (!(longest >= shortest * every_))
+    throw NumericalFailure(
+        fmt::format("the state allows no step beyond {:.3g}, less than {:.0e} of the time between "
+                    "two snapshots",
+                    longest, shortest),
+        {},
+        "particles have become so fast, or so close, that the run cannot go on; a smaller courant "
+        "number may keep them apart");
+  const double target = time_of_frame(frame), left = target - time;
+  longest = std::min(longest, step_);
+  if (left <= longest) return {left, target};
+  const double length = left < 2 * longest ? left / 2 : longest;
+  return {length, time + length};
+}
+
+bool TimePlan::passes_tenth(std::int64_t frame, double before, double after) const {
+  const double start = time_of_frame(frame - 1), whole = time_of_frame(frame) - start;
+  const auto tenth = [&](double time) { return std::floor(10 * ((time - start) / whole)); };
+  return tenth(after) > tenth(before);
 }
 
 }  // namespace mote

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "mote/integrators/system.hpp"
+#include "mote/particles/parallel.hpp"
 
 namespace mote {
 
@@ -16,6 +18,15 @@ class Accumulator {
     lost_.resize(parts.size());
     for (std::size_t part = 0; part < parts.size(); ++part)
       add(parts[part].value, parts[part].rate, step, lost_[part]);
+  }
+
+  /// The same with what rounding loses lost: no more memory, and on all threads.
+  static void advance_plainly(std::span<const Evolving> parts, double step) {
+    for (const Evolving& part : parts) {
+      const auto size = static_cast<std::ptrdiff_t>(part.value.size());
+#pragma omp parallel for schedule(static) if (size >= parallel_from)
+      for (std::ptrdiff_t i = 0; i < size; ++i) part.value[i] += step * part.rate[i];
+    }
   }
 
   void forget() {

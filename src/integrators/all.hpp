@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mote/integrators/forward_euler.hpp"
+#include "mote/integrators/predictor_corrector.hpp"
 #include "mote/integrators/runge_kutta_4.hpp"
 #include "mote/integrators/symplectic_euler.hpp"
 #include "mote/integrators/velocity_verlet.hpp"
@@ -9,6 +10,7 @@
 namespace mote {
 
 /// The integrators of mote. A new one is its own file and a word here.
-using Integrators = TypeList<ForwardEuler, SymplecticEuler, VelocityVerlet, RungeKutta4>;
+using Integrators =
+    TypeList<ForwardEuler, SymplecticEuler, VelocityVerlet, PredictorCorrector, RungeKutta4>;
 
 }  // namespace mote

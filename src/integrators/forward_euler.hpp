@@ -17,8 +17,8 @@ class ForwardEuler final : public Integrator {
     system.prepare(time);
     system.update_kick_rates(time);
     system.update_drift_rates(time);
-    drift(system.drifted(), step);
-    kick(system.kicked(), step);
+    drift(system, step);
+    kick(system, step);
   }
 };
 

@@ -21,10 +21,27 @@ class Integrator {
   }
 
  protected:
-  void drift(std::span<const Evolving> parts, double step) { drift_.advance(parts, step); }
-  void kick(std::span<const Evolving> parts, double step) { kick_.advance(parts, step); }
+  /// value += step * rate for all that drifts, or is kicked.
+  void drift(System& system, double step) { drift(system, system.drifted(), step); }
+  void kick(System& system, double step) { kick(system, system.kicked(), step); }
+
+  /// The same with rates of the method's own.
+  void drift(const System& system, std::span<const Evolving> parts, double step) {
+    advance(drift_, system, parts, step);
+  }
+  void kick(const System& system, std::span<const Evolving> parts, double step) {
+    advance(kick_, system, parts, step);
+  }
 
  private:
+  static void advance(Accumulator& accumulator, const System& system,
+                      std::span<const Evolving> parts, double step) {
+    if (system.compensates())
+      accumulator.advance(parts, step);
+    else
+      Accumulator::advance_plainly(parts, step);
+  }
+
   Accumulator drift_, kick_;
 };
 

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <algorithm>
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "mote/integrators/system.hpp"
+#include "mote/particles/parallel.hpp"
 
 namespace mote {
 
@@ -13,23 +14,34 @@ class KeptValues {
  public:
   void keep(std::span<const Evolving> parts) {
     values_.resize(parts.size());
-    for (std::size_t part = 0; part < parts.size(); ++part)
-      values_[part].assign(parts[part].value.begin(), parts[part].value.end());
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+      values_[part].resize(parts[part].value.size());
+      copy(parts[part].value, values_[part]);
+    }
   }
 
   void restore(std::span<const Evolving> parts) const {
-    for (std::size_t part = 0; part < parts.size(); ++part)
-      std::ranges::copy(values_[part], parts[part].value.begin());
+    for (std::size_t part = 0; part < parts.size(); ++part) copy(values_[part], parts[part].value);
   }
 
   /// Puts every part at its kept value + step * rate.
   void go_on(std::span<const Evolving> parts, double step) const {
-    for (std::size_t part = 0; part < parts.size(); ++part)
-      for (std::size_t i = 0; i < values_[part].size(); ++i)
-        parts[part].value[i] = values_[part][i] + step * parts[part].rate[i];
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+      const std::span<const double> from = values_[part], rate = parts[part].rate;
+      const std::span<double> to = parts[part].value;
+      const auto size = static_cast<std::ptrdiff_t>(from.size());
+#pragma omp parallel for schedule(static) if (size >= parallel_from)
+      for (std::ptrdiff_t i = 0; i < size; ++i) to[i] = from[i] + step * rate[i];
+    }
   }
 
  private:
+  static void copy(std::span<const double> from, std::span<double> to) {
+    const auto size = static_cast<std::ptrdiff_t>(from.size());
+#pragma omp parallel for schedule(static) if (size >= parallel_from)
+    for (std::ptrdiff_t i = 0; i < size; ++i) to[i] = from[i];
+  }
+
   std::vector<std::vector<double>> values_;
 };
 

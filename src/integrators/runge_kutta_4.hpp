@@ -35,8 +35,8 @@ class RungeKutta4 final : public Integrator {
       const double to_next = s + 1 < stages.size() ? stages[s + 1].node * step : 0;
       for (Rates* part : parts) part->go_on(to_next);
     }
-    drift(drifted_.mean(), step);
-    kick(kicked_.mean(), step);
+    drift(system, drifted_.mean(), step);
+    kick(system, kicked_.mean(), step);
   }
 
  private:

@@ -17,9 +17,9 @@ class SymplecticEuler final : public Integrator {
   void advance_one_step(System& system, double time, double step) override {
     system.prepare(time);
     system.update_kick_rates(time);
-    kick(system.kicked(), step);
+    kick(system, step);
     system.update_drift_rates(time);
-    drift(system.drifted(), step);
+    drift(system, step);
   }
 };
 

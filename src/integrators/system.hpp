@@ -29,6 +29,20 @@ class System {
   virtual void prepare(double time) = 0;
   virtual void update_drift_rates(double time) = 0;
   virtual void update_kick_rates(double time) = 0;
+
+  /// Whether kick rates depend on what is kicked, and `update_rates_ahead` takes that into account.
+  virtual bool predicts() const { return false; }
+
+  /// Kick rates with every kicked value thought carried on by `ahead` times its last rate.
+  virtual void update_rates_ahead(double time, double /*ahead*/) { update_kick_rates(time); }
+
+  /// Whether the kick rates are still those of the state: nobody has changed it since they were
+  /// formed.
+  virtual bool rates_are_current() const { return false; }
+
+  /// Whether integrators keep what rounding loses at each addition for the next one. Not worth its
+  /// memory where the discretisation's error is far above that.
+  virtual bool compensates() const { return true; }
 };
 
 }  // namespace mote

@@ -9,10 +9,6 @@
 namespace mote {
 namespace {
 
-/// Receivers whose lists one thread finds together. A fixed number, so that the pieces do not
-/// depend on the threads.
-constexpr Index block_size = 256;
-
 /// A cloud as nanoflann reads it.
 template <int D>
 struct Cloud {
@@ -71,15 +67,14 @@ class Search {
     for (const double length : points.length) longest_ = std::max(longest_, length);
   }
 
-  /// Appends the neighbours of receiver i to a list; returns their number.
-  std::int64_t append(Index i, std::vector<Index>& list) const {
-    const auto before = static_cast<std::ptrdiff_t>(list.size());
+  /// Puts the neighbours of receiver i into a list.
+  void find(Index i, std::vector<Index>& list) const {
+    list.clear();
     Neighbourhood<D> found{points_, rule_, i, squared_radius(rule_, points_.length[i], longest_),
                            list};
     const auto place = points_.at(i);
     tree_.findNeighbors(found, place.data(), nanoflann::SearchParams());
-    std::sort(list.begin() + before, list.end());
-    return static_cast<std::int64_t>(list.size()) - before;
+    std::ranges::sort(list);
   }
 
  private:
@@ -90,34 +85,24 @@ class Search {
   double longest_ = 0;
 };
 
-/// Makes room for so many neighbours, with some to spare: moving points may meet more.
-void resize(std::vector<Index>& neighbour, std::size_t pairs) {
-  if (neighbour.capacity() < pairs) neighbour.reserve(pairs + pairs / 4);
-  neighbour.resize(pairs);
-}
-
 }  // namespace
 
 template <int D>
 void KdTreeSearch<D>::find(const Points<D>& points, const NeighbourRule& rule,
-                           NeighbourLists& lists) const {
+                           NeighbourLists& lists) {
   if (rule.adjacent > 0) throw std::invalid_argument("only points on a line have adjacent points");
-  const Index receivers = points.receivers;
-  const Index blocks = (receivers + block_size - 1) / block_size;
   const Search<D> search(points, rule);
-  std::vector<std::vector<Index>> found(static_cast<std::size_t>(blocks));
-  auto& start = lists.start;
-  start.assign(static_cast<std::size_t>(receivers) + 1, 0);
-#pragma omp parallel for schedule(static) if (parallel_from <= receivers)
-  for (Index block = 0; block < blocks; ++block) {
-    const Index end = std::min(receivers, (block + 1) * block_size);
-    for (Index i = block * block_size; i < end; ++i) start[i + 1] = search.append(i, found[block]);
+  lists.restart(points.receivers, points.length.size());
+#pragma omp parallel if (parallel_from <= points.receivers)
+  {
+    NeighbourLists::Writer writer(lists);
+    std::vector<Index> list;
+#pragma omp for schedule(static)
+    for (Index i = 0; i < points.receivers; ++i) {
+      search.find(i, list);
+      writer.close(i, std::ranges::copy(list, writer.room(list.size())).out);
+    }
   }
-  for (Index i = 0; i < receivers; ++i) start[i + 1] += start[i];
-  resize(lists.neighbour, static_cast<std::size_t>(start.back()));
-#pragma omp parallel for schedule(static) if (parallel_from <= receivers)
-  for (Index block = 0; block < blocks; ++block)
-    std::ranges::copy(found[block], lists.neighbour.begin() + start[block * block_size]);
 }
 
 template <int D>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mote/neighbours/neighbours.hpp"
+#include "mote/neighbours/search.hpp"
 
 namespace mote {
 
@@ -9,9 +9,12 @@ namespace mote {
 /// state alone. O(N log N). Throws std::invalid_argument for a rule of adjacent points, which only
 /// a line can have.
 template <int D>
-class KdTreeSearch {
+class KdTreeSearch final : public NeighbourSearch<D> {
  public:
-  void find(const Points<D>& points, const NeighbourRule& rule, NeighbourLists& lists) const;
+  static constexpr std::string_view name = "kd_tree";
+  static constexpr std::string_view summary = "k-d tree; for lengths that vary widely";
+
+  void find(const Points<D>& points, const NeighbourRule& rule, NeighbourLists& lists) override;
 
   /// For every point the mean distance of its `count` nearest others, or of all there are: a
   /// measure of the local spacing.

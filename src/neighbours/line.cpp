@@ -15,7 +15,7 @@ void LineSearch::sort(const Points<1>& points) {
     return x_a < x_b || (x_a == x_b && a < b);
   };
   if (!std::ranges::is_sorted(order_, before)) std::ranges::sort(order_, before);
-  longest_ = std::ranges::max(points.length);
+  longest_ = points.length.empty() ? 0 : std::ranges::max(points.length);
 }
 
 /// Calls accept(j) for the neighbours of the point at `rank`, from the lowest position up, and
@@ -49,21 +49,18 @@ Index LineSearch::visit(const Points<1>& points, const NeighbourRule& rule, Inde
 void LineSearch::find(const Points<1>& points, const NeighbourRule& rule, NeighbourLists& lists) {
   sort(points);
   const Index size = points.size();
-  lists.start.assign(static_cast<std::size_t>(points.receivers) + 1, 0);
-#pragma omp parallel for schedule(static) if (parallel_from <= size)
-  for (Index rank = 0; rank < size; ++rank)
-    if (order_[rank] < points.receivers)
-      lists.start[order_[rank] + 1] = visit(points, rule, rank, [](Index, Index) {});
-  std::partial_sum(lists.start.begin(), lists.start.end(), lists.start.begin());
-  const auto pairs = static_cast<std::size_t>(lists.start.back());
-  // Room to spare: moving points may meet more neighbours, and a step should not allocate.
-  if (lists.neighbour.capacity() < pairs) lists.neighbour.reserve(2 * pairs);
-  lists.neighbour.resize(pairs);
-#pragma omp parallel for schedule(static) if (parallel_from <= size)
-  for (Index rank = 0; rank < size; ++rank) {
-    if (order_[rank] >= points.receivers) continue;
-    Index* list = lists.neighbour.data() + lists.start[order_[rank]];
-    visit(points, rule, rank, [list](Index k, Index point) { list[k] = point; });
+  lists.restart(points.receivers, static_cast<std::size_t>(size));
+#pragma omp parallel if (parallel_from <= size)
+  {
+    NeighbourLists::Writer writer(lists);
+#pragma omp for schedule(static)
+    for (Index rank = 0; rank < size; ++rank) {
+      if (order_[rank] >= points.receivers) continue;
+      const Index count = visit(points, rule, rank, [](Index, Index) {});
+      Index* const list = writer.room(static_cast<std::size_t>(count));
+      visit(points, rule, rank, [list](Index k, Index point) { list[k] = point; });
+      writer.close(order_[rank], list + count);
+    }
   }
 }
 

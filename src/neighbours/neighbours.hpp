@@ -1,9 +1,6 @@
 #pragma once
 
-#include <span>
-#include <string_view>
-#include <vector>
-
+#include "mote/neighbours/lists.hpp"
 #include "mote/particles/points.hpp"
 
 namespace mote {
@@ -45,19 +42,6 @@ struct NeighbourRule {
 
   /// How far the rule reaches on a regular line, in spacings.
   double reach() const { return adjacent > 0 ? adjacent : support * smoothing_length; }
-};
-
-/// The neighbours of every receiver, without the receiver itself, each list in a fixed order that
-/// depends on the state alone.
-struct NeighbourLists {
-  std::vector<std::int64_t> start;  ///< receivers + 1 offsets into `neighbour`
-  std::vector<Index> neighbour;
-
-  std::span<const Index> operator[](Index i) const {
-    return {neighbour.data() + start[i], neighbour.data() + start[i + 1]};
-  }
-  Index receivers() const { return static_cast<Index>(start.size()) - 1; }
-  std::int64_t pairs() const { return static_cast<std::int64_t>(neighbour.size()); }
 };
 
 }  // namespace mote

@@ -6,13 +6,28 @@
 
 namespace mote {
 
+namespace {
+
+/// Length of a vector whose components are given one by one; no square of a single one overflows.
+template <class Component>
+double length(std::size_t components, Component component) {
+  if (components == 1) return std::abs(component(0));
+  double sum = 0;
+  for (std::size_t c = 0; c < components; ++c) sum += component(c) * component(c);
+  return std::sqrt(sum);
+}
+
+}  // namespace
+
 ErrorNorms error_norms(const std::string& field, std::span<const double> values,
-                       std::span<const double> reference) {
+                       std::span<const double> reference, int components) {
   ErrorNorms error{.field = field};
   double l1 = 0, l2 = 0, max = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (std::isnan(reference[i])) continue;
-    const double e = std::abs(values[i] - reference[i]), r = std::abs(reference[i]);
+  const auto width = static_cast<std::size_t>(components);
+  for (std::size_t i = 0; i < values.size(); i += width) {
+    const double r = length(width, [&](std::size_t c) { return reference[i + c]; });
+    if (std::isnan(r)) continue;
+    const double e = length(width, [&](std::size_t c) { return values[i + c] - reference[i + c]; });
     error.l1 += e;
     error.l2 += e * e;
     error.max = std::max(error.max, e);
@@ -71,6 +86,7 @@ std::string summary_json(const Certificate& c) {
                {"remarks", c.remarks},
                {"warnings", c.warnings},
                {"passed", c.passed()}};
+  if (c.bytes_per_particle > 0) json["bytes_per_particle"] = c.bytes_per_particle;
   for (const ErrorNorms& e : c.errors)
     json["errors"][e.field] = {
         {"l1", e.l1}, {"l2", e.l2}, {"max", e.max}, {"compared", e.compared}};

@@ -21,8 +21,9 @@ struct ErrorNorms {
 };
 
 /// Compares values with a reference; points where the reference is NaN are left out and counted.
+/// With several components, point by point, |e| and |r| are lengths of vectors.
 ErrorNorms error_norms(const std::string& field, std::span<const double> values,
-                       std::span<const double> reference);
+                       std::span<const double> reference, int components = 1);
 
 /// How far a conserved quantity moved, relative to its scale.
 struct Drift {
@@ -48,8 +49,9 @@ struct Certificate {
   std::int64_t dimension = 1, particles = 0, steps = 0;
   int threads = 1;
   double time = 0;
-  double wall_seconds = 0;       ///< of this process
-  std::int64_t steps_timed = 0;  ///< steps done in wall_seconds
+  double wall_seconds = 0;        ///< of this process
+  std::int64_t steps_timed = 0;   ///< steps done in wall_seconds
+  double bytes_per_particle = 0;  ///< of memory at its peak; 0 on a line, where it says nothing
   PairWork pair_work;
   std::vector<ErrorNorms> errors;
   std::vector<Drift> conservation;

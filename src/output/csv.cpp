@@ -2,6 +2,7 @@
 
 #include <iterator>
 
+#include "mote/output/particle_ids.hpp"
 #include "mote/output/tables.hpp"
 
 namespace mote {
@@ -10,7 +11,7 @@ namespace {
 std::string header(const Cloud& cloud) {
   std::string line = "id";
   for (const Field& field : cloud.fields())
-    for (int c = 0; c < field.components; ++c) {
+    for (int c = 0; field.name != id_field && c < field.components; ++c) {
       line += ',';
       if (field.name != "position") line += field.name;
       if (field.kind == FieldKind::vector && field.name != "position") line += '_';
@@ -23,10 +24,10 @@ std::string header(const Cloud& cloud) {
 
 std::string csv_of(const Cloud& cloud) {
   std::string text = header(cloud);
-  for (Index i = 0; i < cloud.count(); ++i) {
-    fmt::format_to(std::back_inserter(text), "{}", i);
+  for (const Index i : in_order_of_ids(cloud)) {
+    fmt::format_to(std::back_inserter(text), "{}", id_of(cloud, i));
     for (const Field& field : cloud.fields())
-      for (int c = 0; c < field.components; ++c)
+      for (int c = 0; field.name != id_field && c < field.components; ++c)
         fmt::format_to(std::back_inserter(text), ",{:.17g}",
                        field.values[static_cast<std::size_t>(i) * field.components + c]);
     text += '\n';

@@ -52,7 +52,8 @@ class OutputFolder {
   Snapshot read_frame(std::int64_t frame) const;
 
   /// Writes a snapshot and names it in `snapshots.hdf.series` with its time.
-  void add_snapshot(const Moment& moment, const std::string& fingerprint, const Cloud& cloud);
+  void add_snapshot(const Moment& moment, const std::string& fingerprint, const Cloud& cloud,
+                    const Scene& scene);
 
   /// Writes `snapshots.hdf.series` anew from the snapshots that are there.
   void restore_series();

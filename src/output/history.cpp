@@ -14,9 +14,9 @@
 namespace mote {
 namespace {
 
-std::string header_of(const std::vector<Conserved>& quantities) {
+std::string header_of(const std::vector<Reading>& columns) {
   std::string header = "time,step";
-  for (const Conserved& quantity : quantities) header += "," + quantity.name;
+  for (const Reading& column : columns) header += "," + column.name;
   return header;
 }
 
@@ -31,12 +31,12 @@ std::int64_t step_of(const std::string& row) {
 
 }  // namespace
 
-void History::begin(const std::vector<Conserved>& quantities) const {
-  write_file(path_, header_of(quantities) + "\n");
+void History::begin(const std::vector<Reading>& columns) const {
+  write_file(path_, header_of(columns) + "\n");
 }
 
-void History::resume(const Moment& moment, const std::vector<Conserved>& quantities) const {
-  const std::string text = read_file(path_), header = header_of(quantities);
+void History::resume(const Moment& moment, const std::vector<Reading>& columns) const {
+  const std::string text = read_file(path_), header = header_of(columns);
   // What follows the last line end is a row cut short.
   std::istringstream whole_rows(text.substr(0, text.rfind('\n') + 1));
   std::string row;
@@ -52,10 +52,10 @@ void History::resume(const Moment& moment, const std::vector<Conserved>& quantit
   write_file(path_, kept);
 }
 
-void History::add(const Moment& moment, const std::vector<Conserved>& quantities) const {
+void History::add(const Moment& moment, const std::vector<Reading>& columns) const {
   std::string row = fmt::format("{:.17g},{}", moment.time, moment.step);
-  for (const Conserved& quantity : quantities)
-    fmt::format_to(std::back_inserter(row), ",{:.17g}", quantity.value);
+  for (const Reading& column : columns)
+    fmt::format_to(std::back_inserter(row), ",{:.17g}", column.value);
   std::ofstream file(path_, std::ios::app);
   file << row + "\n";
   if (!file.flush()) throw InputError(fmt::format("{}: cannot write this file", path_.string()));

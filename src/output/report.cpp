@@ -50,6 +50,8 @@ void add_cost(Out out, const Certificate& c) {
                  c.wall_seconds > 0 ? static_cast<double>(c.particles) *
                                           static_cast<double>(c.steps_timed) / c.wall_seconds
                                     : 0.0);
+  if (c.bytes_per_particle > 0)
+    fmt::format_to(out, "At most {:.0f} bytes of memory a particle.\n", c.bytes_per_particle);
   if (c.pair_work.evaluations > 0)
     fmt::format_to(out, "Neighbour lists were built {} times, {:.1f} neighbours a particle.\n",
                    c.pair_work.evaluations, c.pair_work.mean_neighbours);

@@ -9,6 +9,7 @@
 
 #include "mote/output/files.hpp"
 #include "mote/output/hdf5.hpp"
+#include "mote/output/particle_ids.hpp"
 #include "mote/particles/failure.hpp"
 
 namespace mote {
@@ -26,11 +27,9 @@ std::vector<double> in_three_components(const Field& field, Index count) {
 void write_point_data(hid_t vtk, const Cloud& cloud) {
   const auto points = static_cast<hsize_t>(cloud.count());
   const hdf5::Handle data = hdf5::create_group(vtk, "PointData");
-  std::vector<std::int64_t> id(points);
-  std::iota(id.begin(), id.end(), 0);
-  hdf5::write(data, "id", H5T_NATIVE_INT64, id.data(), points);
+  hdf5::write(data, std::string(id_field), H5T_NATIVE_INT64, ids(cloud).data(), points);
   for (const Field& field : cloud.fields()) {
-    if (field.name == "position") continue;
+    if (field.name == "position" || field.name == id_field) continue;
     if (field.kind == FieldKind::scalar)
       hdf5::write(data, field.name, H5T_NATIVE_DOUBLE, field.values.data(), points);
     else
@@ -71,10 +70,22 @@ std::string checksum(const Cloud& cloud) {
   return fmt::format("{:016x}", hash);
 }
 
+/// Names and kinds of bodies are one string each, a line a body.
+void write_scene(hid_t group, const Scene& scene) {
+  std::string names, kinds;
+  for (const Body& body : scene.bodies) {
+    names += body.name + '\n';
+    kinds += body.kind == BodyKind::fluid ? "fluid\n" : "wall\n";
+  }
+  hdf5::write_attribute(group, "spacing", scene.spacing);
+  hdf5::write_attribute(group, "body_names", names);
+  hdf5::write_attribute(group, "body_kinds", kinds);
+}
+
 /// The restart group: attributes, and each field with its components; scalars are hard links to
 /// the arrays that VTK reads.
 void write_restart(hid_t file, const Moment& moment, const std::string& fingerprint,
-                   const Cloud& cloud) {
+                   const Cloud& cloud, const Scene& scene) {
   const hdf5::Handle group = hdf5::create_group(file, "mote");
   hdf5::write_attribute(group, "frame", std::span(&moment.frame, 1));
   hdf5::write_attribute(group, "step", std::span(&moment.step, 1));
@@ -84,6 +95,7 @@ void write_restart(hid_t file, const Moment& moment, const std::string& fingerpr
   const std::int64_t dimension = cloud.dimension(), count = cloud.count();
   hdf5::write_attribute(group, "dimension", std::span(&dimension, 1));
   hdf5::write_attribute(group, "particles", std::span(&count, 1));
+  if (!scene.bodies.empty()) write_scene(group, scene);
   const hdf5::Handle state = hdf5::create_group(group, "state");
   for (const Field& field : cloud.fields()) {
     if (field.kind == FieldKind::vector) {
@@ -143,13 +155,15 @@ auto read_restart(const std::filesystem::path& path, Read read) {
 
 }  // namespace
 
+Scene scene_of(const Model& model) { return {model.spacing(), model.bodies()}; }
+
 void write_snapshot(const std::filesystem::path& path, const Moment& moment,
-                    const std::string& fingerprint, const Cloud& cloud) {
+                    const std::string& fingerprint, const Cloud& cloud, const Scene& scene) {
   hdf5::be_quiet();
   try {
     const hdf5::Handle file = hdf5::create_file(unfinished(path).string());
     write_vtk(file, cloud);
-    write_restart(file, moment, fingerprint, cloud);
+    write_restart(file, moment, fingerprint, cloud, scene);
     hdf5::require(H5Fflush(file, H5F_SCOPE_LOCAL), "the disk may be full");
   } catch (const std::runtime_error& error) {
     throw InputError(

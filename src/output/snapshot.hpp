@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 
+#include "mote/models/model.hpp"
 #include "mote/particles/cloud.hpp"
 
 namespace mote {
@@ -15,6 +17,13 @@ struct Moment {
   double time = 0;
 };
 
+/// What a snapshot tells a reader about the particles' surroundings, beside their state.
+struct Scene {
+  double spacing = 0;            ///< between particles of a flow [m]; 0 on a line
+  std::span<const Body> bodies;  ///< that the field `body` numbers
+};
+Scene scene_of(const Model& model);
+
 /// A snapshot as it stands in a file: the state and which run it belongs to.
 struct Snapshot {
   Moment moment;
@@ -24,9 +33,10 @@ struct Snapshot {
 
 /// Writes a snapshot as one HDF5 file: the group `VTKHDF` (1.0, unstructured grid of one
 /// poly-vertex cell) that ParaView 5.11 and VTK 9.1 open, and the group `mote` for restart. The
-/// file appears whole or not at all, and depends on the state alone. Throws InputError.
+/// file appears whole or not at all, and depends on the state and the scene alone. Throws
+/// InputError.
 void write_snapshot(const std::filesystem::path& path, const Moment& moment,
-                    const std::string& fingerprint, const Cloud& cloud);
+                    const std::string& fingerprint, const Cloud& cloud, const Scene& scene = {});
 
 /// When a snapshot was taken, without reading its state. Throws InputError as below.
 Moment read_moment(const std::filesystem::path& path);

@@ -7,11 +7,12 @@
 
 namespace mote {
 
-/// The cloud as CSV: id,x[,y,z], then fields by name, vectors as name_x,name_y,...; 17 digits.
+/// The cloud as CSV: id,x[,y,z], then fields by name, vectors as name_x,name_y,...; 17 digits. Rows
+/// are in order of their ids.
 std::string csv_of(const Cloud& cloud);
 
-/// Writes the cloud as inline VTK XML PolyData, one vertex a particle. Throws InputError when it
-/// cannot, also in a build without VTK.
+/// Writes the cloud as inline VTK XML PolyData, one vertex a particle, in order of ids. Throws
+/// InputError when it cannot, also in a build without VTK.
 void write_vtp(const std::filesystem::path& path, const Cloud& cloud);
 
 }  // namespace mote

@@ -52,6 +52,10 @@ void check_together(const Scenario& scenario, const Document& document) {
 }
 
 void fill_defaults_on_a_line(Scenario& scenario) {
+  auto& output = scenario.output;
+  if (output.history == 0)
+    output.history = std::max<std::int64_t>(
+        1, static_cast<std::int64_t>(*output.every / *scenario.time.step / 10));
   if (scenario.particles.layout.empty()) scenario.particles.layout = "regular";
   if (!scenario.domain.boundary) scenario.domain.boundary = LineEnds::zero_gradient;
   if (!scenario.domain.extension)
@@ -63,7 +67,7 @@ void fill_defaults_in_space(Scenario& scenario) {
   auto& particles = scenario.particles;
   if (particles.layout.empty()) particles.layout = "lattice";
   if (particles.layout == "jittered" && !particles.jitter) particles.jitter = 0.2;
-  if (!scenario.time.courant) scenario.time.courant = 0.25;
+  if (!scenario.time.courant) scenario.time.courant = Scenario::Time::usual_courant;
 }
 
 /// What the defaults depend on is known only now.
@@ -71,10 +75,6 @@ void fill_defaults(Scenario& scenario) {
   auto& output = scenario.output;
   if (!output.every) output.every = scenario.time.end / 10;
   if (*output.every > scenario.time.end) output.every = scenario.time.end;
-  if (output.history == 0) {
-    const double steps = scenario.time.step ? *output.every / *scenario.time.step : 100;
-    output.history = std::max<std::int64_t>(1, static_cast<std::int64_t>(steps / 10));
-  }
   if (scenario.model->lives_on_a_line())
     fill_defaults_on_a_line(scenario);
   else

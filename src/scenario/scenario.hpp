@@ -53,6 +53,7 @@ struct Scenario {
 
   struct Time {
     std::string integrator = "velocity_verlet";
+    static constexpr double usual_courant = 0.25;
     std::optional<double> courant;  ///< Courant number of a step, in space
     std::optional<double> step;     ///< longest step; in space there may be none
     double end = 0;

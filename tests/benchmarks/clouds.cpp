@@ -38,7 +38,7 @@ const Points<3>& cube(Index side, double reach) {
 const NeighbourLists& neighbours(Index side, double reach) {
   static std::map<std::pair<Index, double>, NeighbourLists> found;
   NeighbourLists& lists = found[{side, reach}];
-  if (lists.start.empty()) KdTreeSearch<3>().find(cube(side, reach), {.support = reach}, lists);
+  if (lists.receivers() == 0) KdTreeSearch<3>().find(cube(side, reach), {.support = reach}, lists);
   return lists;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "mote/integrators/all.hpp"
@@ -51,6 +52,17 @@ TEST(Accumulator, AdvancesEveryPartWithItsOwnRate) {
   Accumulator().advance(parts, 0.5);
   EXPECT_EQ(x, (std::vector<double>{6, 12}));
   EXPECT_EQ(rho, std::vector<double>{4});
+}
+
+TEST(Accumulator, AdvancesPlainlyOnAnyNumberOfThreads) {
+  constexpr std::size_t count = 10'000;
+  std::vector<double> value(count, 1.0 / 3), rate(count);
+  for (std::size_t i = 0; i < count; ++i) rate[i] = std::sin(static_cast<double>(i));
+  std::vector<double> expected = value;
+  for (std::size_t i = 0; i < count; ++i) expected[i] += 0.1 * rate[i];
+  const Evolving part{value, rate};
+  Accumulator::advance_plainly({&part, 1}, 0.1);
+  EXPECT_EQ(value, expected);
 }
 
 /// Takes `steps` steps of a fall whose every step is rounded.

@@ -57,10 +57,10 @@ struct StaleVerlet : Integrator {
   void advance_one_step(System& system, double time, double step) override {
     system.prepare(time);
     system.update_kick_rates(time);
-    kick(system.kicked(), step / 2);
+    kick(system, step / 2);
     system.update_drift_rates(time + step / 2);
-    drift(system.drifted(), step);
-    kick(system.kicked(), step / 2);
+    drift(system, step);
+    kick(system, step / 2);
   }
 };
 

@@ -86,4 +86,47 @@ class ForcedOscillators final : public System {
   std::array<Evolving, 1> kicked_{{{velocity_, acceleration_}}};
 };
 
+/// An oscillator whose acceleration depends on its velocity, x'' = -x - 2 c x', started from x = 1
+/// at rest; it predicts, keeps its rates from step to step, and counts how often they are formed.
+class DampedOscillator final : public System {
+ public:
+  DampedOscillator() = default;
+  DampedOscillator(const DampedOscillator&) = delete;
+  DampedOscillator& operator=(const DampedOscillator&) = delete;
+
+  std::span<const Evolving> drifted() override { return drifted_; }
+  std::span<const Evolving> kicked() override { return kicked_; }
+  bool drifts_freely() const override { return true; }
+  void prepare(double) override { prepared_ = position_; }
+  void update_drift_rates(double) override { rate_ = velocity_; }
+  void update_kick_rates(double) override { form_rates(velocity_[0]); }
+  bool predicts() const override { return true; }
+  void update_rates_ahead(double, double ahead) override {
+    form_rates(velocity_[0] + ahead * acceleration_[0]);
+  }
+  bool rates_are_current() const override { return evaluations > 0; }
+  bool compensates() const override { return false; }
+
+  double error(double time) const {
+    const double w = std::sqrt(1 - c * c), decay = std::exp(-c * time);
+    const double position = decay * (std::cos(w * time) + c / w * std::sin(w * time));
+    const double velocity = -decay / w * std::sin(w * time);
+    return std::hypot(position_[0] - position, velocity_[0] - velocity);
+  }
+
+  int evaluations = 0;
+
+ private:
+  static constexpr double c = 0.3;
+
+  void form_rates(double velocity) {
+    acceleration_[0] = -prepared_[0] - 2 * c * velocity;
+    ++evaluations;
+  }
+
+  std::array<double, 1> position_{1}, velocity_{0}, rate_{0}, acceleration_{0}, prepared_{1};
+  std::array<Evolving, 1> drifted_{{{position_, rate_}}};
+  std::array<Evolving, 1> kicked_{{{velocity_, acceleration_}}};
+};
+
 }  // namespace mote::test

@@ -36,6 +36,21 @@ TEST(ErrorNorms, OfWhatIsNotANumberIsNotANumber) {
   EXPECT_TRUE(std::isnan(error_norms("f", values, reference).l2));
 }
 
+TEST(ErrorNorms, OfVectorsAreOfTheirLengths) {
+  const std::vector<double> values{3, 4, 1, 1}, reference{0, 0, 1, 0};
+  const ErrorNorms error = error_norms("f", values, reference, 2);
+  EXPECT_DOUBLE_EQ(error.l1, 6);
+  EXPECT_DOUBLE_EQ(error.l2, std::sqrt(26));
+  EXPECT_DOUBLE_EQ(error.max, 5);
+  EXPECT_EQ(error.compared, 2);
+}
+
+TEST(ErrorNorms, OfVectorsLeaveOutThoseWithAComponentThatHasNoReference) {
+  const std::vector<double> values{3, 4, 1, 1}, reference{0, NAN, 1, 0};
+  EXPECT_EQ(error_norms("f", values, reference, 2).compared, 1);
+  EXPECT_EQ(error_norms("f", values, reference).compared, 3);
+}
+
 TEST(Drifts, AreRelativeToTheScale) {
   const auto result =
       drifts({{"mass", 2, 2}, {"momentum", 0, 0}}, {{"mass", 3, 3}, {"momentum", 1, 4}});
@@ -60,6 +75,14 @@ TEST(Certificate, PassesOnlyIfEveryCheckDoesAndNothingFailed) {
   EXPECT_FALSE(certificate.passed());
   EXPECT_THAT(report_markdown(certificate, ""), HasSubstr("step 3: broken"));
   EXPECT_EQ(nlohmann::json::parse(summary_json(certificate))["passed"], false);
+}
+
+TEST(Certificate, TellsTheMemoryAParticleWhereItIsKnown) {
+  Certificate certificate;
+  EXPECT_FALSE(nlohmann::json::parse(summary_json(certificate)).contains("bytes_per_particle"));
+  certificate.bytes_per_particle = 512;
+  EXPECT_EQ(nlohmann::json::parse(summary_json(certificate))["bytes_per_particle"], 512);
+  EXPECT_THAT(report_markdown(certificate, ""), HasSubstr("512 bytes of memory a particle"));
 }
 
 }  // namespace

@@ -2,9 +2,12 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <thread>
 
+#include "mote/output/hdf5.hpp"
 #include "mote/output/tables.hpp"
 #include "mote/particles/failure.hpp"
 #include "support/program.hpp"
@@ -67,6 +70,44 @@ TEST(Snapshot, ThatIsCutShortIsRefused) {
   write_snapshot(folder / "a.hdf", {}, "me", cloud_in(2));
   test::fs::resize_file(folder / "a.hdf", 3000);
   EXPECT_THROW(read_snapshot(folder / "a.hdf"), InputError);
+}
+
+/// Three particles that have changed places.
+Cloud sorted_cloud() {
+  Cloud cloud = cloud_in(2);
+  std::ranges::copy(std::array{7.0, 2.0, 5.0}, cloud.add("id", FieldKind::scalar, "").begin());
+  std::ranges::copy(std::array{0.7, 0.2, 0.5}, cloud.values("density").begin());
+  return cloud;
+}
+
+TEST(Snapshot, HoldsTheIdsOfParticlesOnce) {
+  const test::TemporaryFolder folder;
+  const Cloud cloud = sorted_cloud();
+  write_snapshot(folder / "a.hdf", {4, 50, 0.1}, "me", cloud);
+  expect_equal(read_snapshot(folder / "a.hdf").cloud, cloud);
+  const hdf5::Handle file = hdf5::open_file((folder / "a.hdf").string());
+  const hdf5::Handle data = hdf5::open_group(file, "VTKHDF/PointData");
+  EXPECT_EQ(hdf5::read_doubles(data, "id"), (std::vector<double>{7, 2, 5}));
+}
+
+TEST(Snapshot, NamesBodiesAndSpacing) {
+  const test::TemporaryFolder folder;
+  const std::vector<Body> bodies{{.name = "water"}, {.name = "tank", .kind = BodyKind::wall}};
+  write_snapshot(folder / "a.hdf", {4, 50, 0.1}, "me", sorted_cloud(), {0.25, bodies});
+  const hdf5::Handle file = hdf5::open_file((folder / "a.hdf").string());
+  const hdf5::Handle group = hdf5::open_group(file, "mote");
+  EXPECT_EQ(hdf5::read_double(group, "spacing"), 0.25);
+  EXPECT_EQ(hdf5::read_string(group, "body_names"), "water\ntank\n");
+  EXPECT_EQ(hdf5::read_string(group, "body_kinds"), "fluid\nwall\n");
+}
+
+TEST(Csv, HasRowsInOrderOfIds) {
+  const std::string text = csv_of(sorted_cloud());
+  EXPECT_THAT(text, testing::StartsWith("id,x,y,velocity_x,velocity_y,density,nothing\n2,"));
+  const auto five = text.find("\n5,"), seven = text.find("\n7,");
+  EXPECT_LT(five, seven);
+  EXPECT_LT(seven, text.size());
+  EXPECT_THAT(text.substr(five, seven - five), testing::HasSubstr(",0.5,"));
 }
 
 TEST(Csv, NamesComponentsByAxis) {

@@ -85,12 +85,12 @@ class DriftKickDrift final : public mote::Integrator {
   void advance_one_step(mote::System& system, double time, double step) override {
     system.prepare(time);
     system.update_drift_rates(time);
-    drift(system.drifted(), step / 2);
+    drift(system, step / 2);
     system.prepare(time + step / 2);
     system.update_kick_rates(time + step / 2);
-    kick(system.kicked(), step);
+    kick(system, step);
     system.update_drift_rates(time + step / 2);
-    drift(system.drifted(), step / 2);
+    drift(system, step / 2);
   }
 };
 

@@ -61,16 +61,21 @@ bool are_neighbours(const Points<D>& points, const NeighbourRule& rule, Index i,
 /// the oracle for every search.
 template <int D>
 NeighbourLists brute_force(const Points<D>& points, const NeighbourRule& rule) {
-  NeighbourLists lists;
-  lists.start.push_back(0);
+  std::vector<std::vector<Index>> lists(static_cast<std::size_t>(points.receivers));
   for (Index i = 0; i < points.receivers; ++i) {
     for (Index j = 0; j < points.size(); ++j)
-      if (are_neighbours(points, rule, i, j)) lists.neighbour.push_back(j);
-    std::sort(lists.neighbour.begin() + lists.start.back(), lists.neighbour.end(),
-              [&](Index a, Index b) { return stands_before(points, a, b); });
-    lists.start.push_back(lists.pairs());
+      if (are_neighbours(points, rule, i, j)) lists[i].push_back(j);
+    std::ranges::sort(lists[i], [&](Index a, Index b) { return stands_before(points, a, b); });
   }
-  return lists;
+  return NeighbourLists(lists);
+}
+
+/// Copies of the lists, to be altered.
+inline std::vector<std::vector<Index>> copies_of(const NeighbourLists& lists) {
+  std::vector<std::vector<Index>> copies;
+  for (Index i = 0; i < lists.receivers(); ++i)
+    copies.emplace_back(lists[i].begin(), lists[i].end());
+  return copies;
 }
 
 }  // namespace mote::test

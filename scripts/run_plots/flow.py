@@ -1,0 +1,129 @@
+"""The particles of a run in two or three dimensions, and its history."""
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.colors import ListedColormap
+
+from run_plots.raster import Raster
+from run_plots.reading import FlowSnapshot, label, read_columns
+
+COLOURS = {"speed": "viridis", "pressure": "coolwarm"}
+NOT_OBSERVED = ("time", "step", "kinetic_energy", "removed")  # nor what is conserved
+OUTLIERS = 0.2  # per cent of the particles at each end whose colour may be that of the limit
+SLANT = 0.35  # how far one metre away goes up and to the right in the view of three dimensions
+WIDTH = 7.0  # inches
+
+
+def colour_limits(name, values):
+    """Speeds from 0; a few outliers do not take the colours from all others."""
+    low, high = np.percentile(values, (OUTLIERS, 100 - OUTLIERS)) if len(values) else (0, 1)
+    low = 0 if name == "speed" else low
+    return (low, high) if high > low else (low - 0.5, low + 0.5)
+
+
+def fields_of(snapshot):
+    """Values and units of what is drawn."""
+    velocity = snapshot.fields["velocity"]
+    fields = {"speed": (np.linalg.norm(velocity, axis=1), snapshot.units["velocity"])}
+    if "pressure" in snapshot.fields:
+        fields["pressure"] = (snapshot.fields["pressure"], snapshot.units["pressure"])
+    return fields
+
+
+class Panel:
+    """Particles in a plane: which of them, where, and how far away each is."""
+
+    def __init__(self, snapshot, chosen, places, axes_names, depth=None):
+        self.chosen, self.places, self.depth = chosen, places[chosen], depth
+        self.axes_names, self.radius = axes_names, snapshot.spacing / 2
+        self.fluid = snapshot.fluid[chosen]
+        self.raster = Raster(self.places.min(axis=0) - self.radius,
+                             self.places.max(axis=0) + self.radius)
+        if snapshot.spacing < 6 * self.raster.pixel:  # gaps of single pixels would make patterns
+            self.radius = snapshot.spacing / 2 ** 0.5
+
+    def draw(self, axes, name, values, unit, summary):
+        """Fluid in the colours of the values, walls in grey."""
+        limits, own = colour_limits(name, values[self.chosen][self.fluid]), values[self.chosen]
+        self.show(axes, ~self.fluid, np.zeros(len(own)), ListedColormap(["0.6"]), (0, 1))
+        drawn = self.show(axes, self.fluid, own, COLOURS[name], limits)
+        bar = axes.figure.colorbar(drawn, cax=axes.inset_axes((1.02, 0, 0.025, 1)),
+                                   extend="max" if name == "speed" else "both", extendfrac=0.03)
+        bar.set_label(label(name, unit, summary))
+        axes.set_xlabel(label(self.axes_names[0], "m", summary))
+        axes.set_ylabel(label(self.axes_names[1], "m", summary))
+
+    def show(self, axes, which, values, colours, limits):
+        image = self.raster.discs(self.places[which], values[which], self.radius,
+                                  None if self.depth is None else self.depth[self.chosen][which])
+        return axes.imshow(image, origin="lower", extent=self.raster.extent, cmap=colours,
+                           vmin=limits[0], vmax=limits[1], interpolation="nearest", aspect="equal")
+
+
+def panels_of(snapshot, fields):
+    """What is drawn: a panel, the name of its field, and a title, one after the other."""
+    position = snapshot.position
+    if position.shape[1] == 2:
+        plane = Panel(snapshot, np.full(len(position), True), position, ("x", "y"))
+        return [(plane, name, "") for name in fields]
+    away = position[:, 1]
+    middle = (away[snapshot.fluid].min() + away[snapshot.fluid].max()) / 2
+    near = np.abs(away - middle) < snapshot.spacing
+    section = Panel(snapshot, near, position[:, [0, 2]], ("x", "z"), away)
+    slanted = position[:, [0, 2]] + SLANT * (away - away.min())[:, np.newaxis]
+    view = Panel(snapshot, snapshot.fluid, slanted, ("x, and y aslant", "z, and y aslant"), away)
+    return ([(section, name, f"section at y = {middle:.3g}") for name in fields]
+            + [(view, "speed", "the fluid seen from the side")])
+
+
+def observed(history, summary):
+    """The columns of observers by the first word of their names, behind the kinetic energy."""
+    known = {*NOT_OBSERVED, *summary.get("conservation", {})}
+    groups = {"kinetic_energy": ["kinetic_energy"]} if "kinetic_energy" in history else {}
+    for name in history:
+        if name not in known:
+            groups.setdefault(name.split("_")[0], []).append(name)
+    return groups
+
+
+def draw_history(axes, history, kind, columns, unit, summary):
+    for name in columns:
+        axes.plot(history["time"], history[name], linewidth=1, label=name)
+    axes.set_xlabel(label("t", "s", summary))
+    axes.set_ylabel(label(kind, unit, summary) if kind == "kinetic_energy" else kind)
+    axes.grid(color="0.9")
+    if len(columns) > 1:
+        axes.legend(fontsize=7, frameon=False)
+
+
+def arrange(panels, kinds):
+    """A figure whose panels stand side by side if they are tall, above the curves."""
+    shape = [panel.raster.rows / panel.raster.columns for panel, _, _ in panels]
+    columns = len(panels) if max(shape) > 0.8 else 1
+    height = sum(WIDTH * own / columns + 0.5 for own in shape[::columns])
+    curves = 2.2 * -(-len(kinds) // 2)
+    figure = plt.figure(figsize=(WIDTH * (1.4 if columns > 1 else 1), height + curves + 0.6),
+                        layout="constrained")
+    above, below = figure.subfigures(2, 1, height_ratios=(height, max(curves, 0.01)))
+    pictures = above.subplots(-(-len(panels) // columns), columns, squeeze=False).flat
+    return figure, pictures, below
+
+
+def draw_flow(folder, shown, summary):
+    """The figure: speed and pressure of the particles, and the history of the run."""
+    snapshot = FlowSnapshot(shown, ("velocity", "pressure"))
+    fields = fields_of(snapshot)
+    panels = panels_of(snapshot, fields)
+    history = read_columns(folder / "history.csv")
+    kinds = observed(history, summary)
+    figure, pictures, below = arrange(panels, kinds)
+    for axes, (panel, name, title) in zip(pictures, panels):
+        panel.draw(axes, name, *fields[name], summary)
+        axes.set_title(title, fontsize=9)
+    if kinds:
+        grid = below.subplots(-(-len(kinds) // 2), min(2, len(kinds)), squeeze=False)
+        unit = "J/m" if snapshot.position.shape[1] == 2 else "J"
+        for axes, (kind, columns) in zip(grid.flat, kinds.items()):
+            draw_history(axes, history, kind, columns, unit, summary)
+        for axes in grid.flat[len(kinds):]:
+            axes.axis("off")
+    return figure
