@@ -7,7 +7,8 @@ from run_plots.raster import Raster
 from run_plots.reading import FlowSnapshot, label, read_columns
 
 COLOURS = {"speed": "viridis", "pressure": "coolwarm"}
-NOT_OBSERVED = ("time", "step", "kinetic_energy", "removed")  # nor what is conserved
+NOT_OBSERVED = ("time", "step", "kinetic_energy", "potential_energy", "compression_energy",
+                "viscous_power", "highest_speed", "removed")  # nor what is conserved
 OUTLIERS = 0.2  # per cent of the particles at each end whose colour may be that of the limit
 SLANT = 0.35  # how far one metre away goes up and to the right in the view of three dimensions
 WIDTH = 7.0  # inches
@@ -75,23 +76,39 @@ def panels_of(snapshot, fields):
             + [(view, "speed", "the fluid seen from the side")])
 
 
+def quantity_of(column):
+    """What a probe's column is, by its name; a place is that of a surface or a front."""
+    for field in ("pressure", "velocity", "density"):
+        if f"_{field}" in column:
+            return field
+    ends = {"max": "speed", "rms": "speed", "x": "force", "y": "force", "z": "force"}
+    return ends.get(column.rsplit("_")[-1], "place")
+
+
 def observed(history, summary):
-    """The columns of observers by the first word of their names, behind the kinetic energy."""
+    """The columns of probes by what they are, behind the kinetic energy; no profiles."""
     known = {*NOT_OBSERVED, *summary.get("conservation", {})}
     groups = {"kinetic_energy": ["kinetic_energy"]} if "kinetic_energy" in history else {}
-    for name in history:
-        if name not in known:
-            groups.setdefault(name.split("_")[0], []).append(name)
+    for name in history if "conservation" in summary else ():
+        if name not in known and not name.rsplit("_")[-1].isdigit():
+            groups.setdefault(quantity_of(name), []).append(name)
     return groups
 
 
-def draw_history(axes, history, kind, columns, unit, summary):
+def unit_of(quantity, dimension):
+    """In a plane all is per length of the third dimension."""
+    per_length = "/m" if dimension == 2 else ""
+    return {"kinetic_energy": "J" + per_length, "force": "N" + per_length, "pressure": "Pa",
+            "density": "kg/m³", "velocity": "m/s", "speed": "m/s", "place": "m"}[quantity]
+
+
+def draw_history(axes, history, columns, text, summary):
     for name in columns:
         axes.plot(history["time"], history[name], linewidth=1, label=name)
     axes.set_xlabel(label("t", "s", summary))
-    axes.set_ylabel(label(kind, unit, summary) if kind == "kinetic_energy" else kind)
+    axes.set_ylabel(text)
     axes.grid(color="0.9")
-    if len(columns) > 1:
+    if len(columns) > 1 or not text.startswith(columns[0]):
         axes.legend(fontsize=7, frameon=False)
 
 
@@ -121,9 +138,9 @@ def draw_flow(folder, shown, summary):
         axes.set_title(title, fontsize=9)
     if kinds:
         grid = below.subplots(-(-len(kinds) // 2), min(2, len(kinds)), squeeze=False)
-        unit = "J/m" if snapshot.position.shape[1] == 2 else "J"
         for axes, (kind, columns) in zip(grid.flat, kinds.items()):
-            draw_history(axes, history, kind, columns, unit, summary)
+            text = label(kind, unit_of(kind, snapshot.position.shape[1]), summary)
+            draw_history(axes, history, columns, text, summary)
         for axes in grid.flat[len(kinds):]:
             axes.axis("off")
     return figure

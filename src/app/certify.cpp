@@ -79,12 +79,19 @@ double peak_bytes_per_particle(const Model& model) {
   return 1024.0 * static_cast<double>(usage.ru_maxrss) / static_cast<double>(model.cloud().count());
 }
 
+/// The error of a field in the norm that the scenario's limits are meant in.
+CheckResult error_check(const ErrorNorms& error, const std::string& norm, double limit) {
+  if (norm == "l1") return {error.field + " relative L1 error", error.l1, limit};
+  if (norm == "max") return {error.field + " relative largest error", error.max, limit};
+  return {error.field + " relative L2 error", error.l2, limit};
+}
+
 /// Sets the numbers of the certificate against the limits of the scenario.
-void add_checks(const Scenario::Checks& checks, Certificate& certificate) {
+void add_checks(const Scenario::Checks& checks, const std::string& norm, Certificate& certificate) {
   for (const auto& [field, limit] : checks.fields)
     for (const ErrorNorms& error : certificate.errors)
       if (limit && error.field == field)
-        certificate.checks.push_back({field + " relative L2 error", error.l2, *limit});
+        certificate.checks.push_back(error_check(error, norm, *limit));
   for (const auto& [quantity, limit] : checks.drifts)
     for (const Drift& drift : certificate.conservation)
       if (limit && drift.quantity == quantity)
@@ -124,7 +131,8 @@ Certificate certificate_of(const Simulation& simulation, const Moment& moment) {
     compare_with_exact(simulation, moment.time, certificate);
     certificate.remarks.push_back(simulation.exact()->statement() + ".");
   }
-  add_checks(simulation.scenario().check.of(model.frame()), certificate);
+  const Scenario::Check& check = simulation.scenario().check;
+  add_checks(check.of(model.frame()), check.norm, certificate);
   return certificate;
 }
 

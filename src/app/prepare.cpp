@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include "mote/app/history_checks.hpp"
 #include "mote/particles/failure.hpp"
 #include "mote/scenario/located_error.hpp"
 #include "mote/study/study_file.hpp"
@@ -13,6 +14,7 @@ Document read_document(const RunOptions& options) {
   if (options.file.empty()) throw InputError("the scenario's file must have a name");
   Document document = Document::from_file(options.file);
   for (const std::string& assignment : options.assignments) document.set(assignment);
+  read_reference_curves(document, std::filesystem::path(options.file).parent_path());
   return document;
 }
 

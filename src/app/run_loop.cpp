@@ -7,6 +7,7 @@
 #include <chrono>
 #include <iterator>
 
+#include "mote/app/history_checks.hpp"
 #include "mote/app/neighbourhood.hpp"
 #include "mote/app/one_line.hpp"
 #include "mote/app/shared_folder.hpp"
@@ -16,6 +17,7 @@
 namespace mote {
 
 std::vector<Reading> history_columns(Simulation& simulation) {
+  simulation.model().complete_fields();
   std::vector<Reading> columns;
   for (const Conserved& quantity : simulation.model().conserved())
     columns.push_back({quantity.name, quantity.value});
@@ -42,6 +44,8 @@ int RunLoop::go_on() {
       run_to(frame);
     stop_clock();
     certificate = certificate_of(simulation_, now_);
+    std::ranges::move(history_results(simulation_.scenario(), folder_.file("history.csv")),
+                      std::back_inserter(certificate.checks));
   } catch (const NumericalFailure& broken) {
     stop_clock();
     certificate = failed_certificate(simulation_, now_, failure_message(broken));

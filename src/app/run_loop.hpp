@@ -9,7 +9,7 @@
 
 namespace mote {
 
-/// What a row of history.csv holds beside time and step.
+/// What a row of history.csv holds beside time and step, with all fields brought up to date.
 std::vector<Reading> history_columns(Simulation& simulation);
 
 /// Steps a simulation from `start`, the state that it is in, to its end with snapshots and history,

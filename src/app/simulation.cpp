@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <limits>
 
+#include "mote/app/history_checks.hpp"
 #include "mote/app/line_setup.hpp"
 #include "mote/app/physical_memory.hpp"
 #include "mote/app/space_setup.hpp"
@@ -84,6 +88,7 @@ void Simulation::build(const Document& document, const Catalogue& catalogue) {
   conserved_at_start_ = model_->conserved();
   if (recipe.lives_on_a_line()) limit_step(document);
   make_exact(catalogue);
+  make_observer();
 }
 
 void Simulation::warn(const std::string& where, const std::string& message) {
@@ -101,9 +106,14 @@ void Simulation::limit_step(const Document& document) {
   }
 }
 
+/// How long the state allows the next step to be; infinite where it does not matter. Models on a
+/// line have no Courant number.
+double Simulation::longest_step(double time) {
+  return model_->longest_step(time, scenario_.time.courant.value_or(1));
+}
+
 Step Simulation::next_step(std::int64_t frame, std::int64_t number, double time) {
-  const double courant = scenario_.time.courant.value_or(Scenario::Time::usual_courant);
-  const double longest = model_->longest_step(courant);
+  const double longest = longest_step(time);
   if (std::isinf(longest)) return plan_.equal_step(frame, number);
   return plan_.step_within(frame, time, longest);
 }
@@ -128,10 +138,10 @@ void Simulation::make_exact(const Catalogue& catalogue) {
   const std::string& against = scenario_.check.against;
   if (against == "nothing") return;
   const auto& solution = entry_named(catalogue.exact_solutions, against);
-  if (!scenario_.model->lives_on_a_line())
+  if (!solution.make)
     throw InputError("check.against",
-                     fmt::format("{} belongs to models on a line, and the model {} lives in space",
-                                 against, scenario_.model_type));
+                     fmt::format("{} is a flow in space, and the model {} lives on a line", against,
+                                 scenario_.model_type));
   const bool lagrangian = model_->frame() == Frame::lagrangian;
   for (const auto& [field, limit] : scenario_.check.of(model_->frame()).fields)
     if (!lagrangian && limit && field == "position")
@@ -148,6 +158,22 @@ void Simulation::make_exact(const Catalogue& catalogue) {
                      fmt::format("the exact solution {} ends at t = {:.6g}, before the run does "
                                  "at t = {}",
                                  against, exact_->valid_until(), scenario_.time.end));
+}
+
+/// The probes, and the checks of what they and the model tell.
+void Simulation::make_observer() {
+  const Triple period{};
+  if (!scenario_.probes.empty()) observer_.emplace(scenario_.probes, period, *model_);
+  std::vector<std::string> columns{"time", "step"};
+  for (const Conserved& quantity : conserved_at_start_) columns.push_back(quantity.name);
+  for (const Reading& reading : observations()) columns.push_back(reading.name);
+  refuse_unknown_quantities(scenario_.check.history, columns);
+}
+
+std::vector<Reading> Simulation::observations() {
+  std::vector<Reading> readings = model_->readings();
+  if (observer_) std::ranges::move(observer_->readings(*model_), std::back_inserter(readings));
+  return readings;
 }
 
 void Simulation::restore(const Snapshot& snapshot) {

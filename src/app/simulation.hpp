@@ -1,11 +1,14 @@
 #pragma once
 
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mote/app/time_plan.hpp"
 #include "mote/catalogue/catalogue.hpp"
+#include "mote/observe/observer.hpp"
 #include "mote/output/certificate.hpp"
 #include "mote/output/snapshot.hpp"
 #include "mote/scenario/scenario.hpp"
@@ -35,6 +38,9 @@ class Simulation {
   const std::vector<Conserved>& conserved_at_start() const { return conserved_at_start_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
 
+  /// Whether the state limits the steps, and so decides how many there will be.
+  bool has_steps_of_its_own() { return std::isfinite(longest_step(0)); }
+
   /// The next step towards a frame, the `number`-th since the last one, from `time` on: one of the
   /// plan, or as long as the state allows, where the model says so. Throws NumericalFailure.
   Step next_step(std::int64_t frame, std::int64_t number, double time);
@@ -43,7 +49,7 @@ class Simulation {
   void start_afresh();
 
   /// What history.csv tells beside the conserved quantities.
-  std::vector<Reading> observations() { return model_->readings(); }
+  std::vector<Reading> observations();
 
   /// One step of the integrator, and what the model does around it. Throws NumericalFailure.
   void advance(double time, double step);
@@ -52,11 +58,13 @@ class Simulation {
   void restore(const Snapshot& snapshot);
 
  private:
+  double longest_step(double time);
   void refuse_what_does_not_fit() const;
   void build(const Document& document, const Catalogue& catalogue);
   void limit_step(const Document& document);
   void warn(const std::string& where, const std::string& message);
   void make_exact(const Catalogue& catalogue);
+  void make_observer();
 
   Scenario scenario_;
   std::string fingerprint_, resolved_yaml_;
@@ -66,6 +74,7 @@ class Simulation {
   std::unique_ptr<Model> model_;
   std::unique_ptr<Integrator> integrator_;
   std::unique_ptr<ExactSolution> exact_;
+  std::optional<Observer> observer_;
   std::vector<Conserved> conserved_at_start_;
   std::vector<std::string> warnings_;
 };

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
+#include "mote/catalogue/exact_flows.hpp"
 #include "mote/catalogue/refined.hpp"
 #include "mote/exact/burgers_cole_hopf.hpp"
 #include "mote/exact/gravitating_sheets.hpp"
@@ -91,9 +93,11 @@ std::unique_ptr<ExactSolution> burgers_from(const ExactSetup& setup) {
 
 std::vector<ExactEntry> exact_entries() {
   const std::vector<std::string> fields{"position", "velocity", "density"};
-  return {{choice_of<GravitatingSheets>(), fields, sheets_from},
-          {choice_of<BurgersColeHopf>(), fields, burgers_from},
-          {choice_of<Refined>(), fields, refined_from}};
+  std::vector<ExactEntry> entries{{choice_of<GravitatingSheets>(), fields, sheets_from},
+                                  {choice_of<BurgersColeHopf>(), fields, burgers_from},
+                                  {choice_of<Refined>(), fields, refined_from}};
+  std::ranges::move(flow_entries(), std::back_inserter(entries));
+  return entries;
 }
 
 }  // namespace mote

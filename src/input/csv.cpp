@@ -93,8 +93,10 @@ bool is_number(const Cell& cell) {
 /// A file, to be read row by row; knows the place of everything that is wrong with it.
 class Csv {
  public:
-  Csv(std::string path, std::string_view text)
-      : path_(std::move(path)), rows_(rows_of(without_byte_order_mark(text))) {
+  enum class Rows { points, numbers };
+
+  Csv(std::string path, std::string_view text, Rows kind)
+      : path_(std::move(path)), rows_(rows_of(without_byte_order_mark(text))), kind_(kind) {
     if (text.find('\0') != text.npos) refuse({}, 0, "this is not a text file");
     if (without_byte_order_mark(text).find_first_not_of(" \t\r\n") == text.npos)
       refuse({}, 0, "this file is empty");
@@ -105,7 +107,7 @@ class Csv {
     PointTable table = header();
     for (std::size_t point = 0; point + 1 < rows_.size(); ++point)
       append_point(table, point, rows_[point + 1]);
-    at_place(place(rows_.front(), 0), [&] { check_numbers(table); });
+    if (kind_ == Rows::points) at_place(place(rows_.front(), 0), [&] { check_numbers(table); });
     return table;
   }
 
@@ -138,7 +140,7 @@ class Csv {
         refuse(line, name.start, fmt::format("the column '{}' is there twice", name.text));
       table.columns.emplace_back(name.text, 0).second.reserve(rows_.size() - 1);
     }
-    at_place(place(line, 0), [&] { check_coordinates(table); });
+    if (kind_ == Rows::points) at_place(place(line, 0), [&] { check_coordinates(table); });
     return table;
   }
 
@@ -164,19 +166,26 @@ class Csv {
       refuse(
           line, cell.start,
           fmt::format("{} of point {} is too large or too small: '{}'", column, point, cell.text));
-    if (!std::isfinite(value)) refuse(line, cell.start, not_finite(column, point, value));
+    if (kind_ == Rows::points && !std::isfinite(value))
+      refuse(line, cell.start, not_finite(column, point, value));
     return value;
   }
 
   std::string path_;
   std::vector<Line> rows_;
+  Rows kind_;
 };
 
 }  // namespace
 
 PointTable read_csv_points(const std::filesystem::path& path) {
   const std::string text = read_file(path);
-  return Csv(path.string(), text).table();
+  return Csv(path.string(), text, Csv::Rows::points).table();
+}
+
+PointTable read_csv_numbers(const std::filesystem::path& path) {
+  const std::string text = read_file(path);
+  return Csv(path.string(), text, Csv::Rows::numbers).table();
 }
 
 }  // namespace mote

@@ -33,6 +33,10 @@ PointTable read_points(const std::filesystem::path& path);
 /// and blank lines at the end are no rows; any other line has a cell for every column.
 PointTable read_csv_points(const std::filesystem::path& path);
 
+/// The same for any table of numbers, which needs no coordinates and may be without rows, and whose
+/// numbers may be infinite or nan.
+PointTable read_csv_numbers(const std::filesystem::path& path);
+
 /// The points and the point data of a vtkPointSet. VTK always has three coordinates: if z is zero
 /// for all points the table has no z, and if then y is zero for all points, no y. A field of two
 /// or three components becomes name_x, name_y, ..., one of more name_0, name_1, ... Arrays of

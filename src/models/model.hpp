@@ -86,9 +86,12 @@ class Model : public System {
 
   /// How long the next step may be for this Courant number, where the state decides on it; infinite
   /// where the scenario does.
-  virtual double longest_step(double /*courant*/) {
+  virtual double longest_step(double /*time*/, double /*courant*/) {
     return std::numeric_limits<double>::infinity();
   }
+
+  /// Brings fields that no step needs up to date, for whoever looks at the cloud.
+  virtual void complete_fields() {}
 
   /// Forgets whatever a restart would not know: called at every snapshot, and so before the first
   /// step.

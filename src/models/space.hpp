@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mote/operators/differential/differential_operator.hpp"
+#include "mote/operators/terms/fluid_terms.hpp"
 #include "mote/particles/body.hpp"
 
 namespace mote {
@@ -38,7 +39,9 @@ struct SpaceStart {
 /// What a model in space is made from.
 struct SpaceSetup : SpaceStart {
   std::unique_ptr<AnyOperator> differential_operator;
-  std::string search;          ///< name of the neighbour search; empty: the model chooses
+  std::unique_ptr<AnyFluidTerms> terms;  ///< pair terms on the scenario's kernel
+  double smoothing_length = 1;           ///< of those terms, in spacings
+  std::string search;                    ///< name of the neighbour search; empty: the model chooses
   std::optional<double> skin;  ///< how much further than the operator lists reach, relative
 };
 

@@ -122,6 +122,10 @@ void describe_output(Description& d, Scenario::Output& output) {
   d.flag({"picture", "whether to draw a picture at the end"}, output.picture);
 }
 
+const Choices norms{{"l1", "sum of magnitudes"},
+                    {"l2", "root of the sum of squares"},
+                    {"max", "largest magnitude"}};
+
 void describe_limit(Description& d, Scenario::Limits& limits, const std::string& name,
                     const std::string& summary) {
   auto found =
@@ -137,7 +141,7 @@ void describe_checks(Description& d, Scenario::Checks& checks,
                      const std::vector<std::string>& fields,
                      const std::vector<std::string>& quantities) {
   for (const auto& field : fields)
-    describe_limit(d, checks.fields, field, "largest relative L2 error at the end");
+    describe_limit(d, checks.fields, field, "largest relative error at the end");
   d.section({"drift", "largest relative drift of conserved quantities"}, [&] {
     for (const auto& quantity : quantities)
       describe_limit(d, checks.drifts, quantity, "largest relative drift");
@@ -152,13 +156,16 @@ void describe_check(Description& d, Scenario& scenario, const Catalogue& catalog
   d.variant({"against", "exact solution"}, check.against, solutions,
             [&](const std::string& against) {
               std::vector<std::string> fields;
-              if (against != "nothing")
+              if (against != "nothing") {
                 fields = entry_named(catalogue.exact_solutions, against).fields;
+                d.choice({"norm", "of the errors of fields"}, check.norm, norms);
+              }
               describe_checks(d, check.lagrangian, fields, quantities);
               std::erase(fields, "position");
               d.section({"eulerian", "limits for points that stand still, in place of the others"},
                         [&] { describe_checks(d, check.eulerian, fields, quantities); });
             });
+  describe_history_checks(d, check.history);
 }
 
 }  // namespace
@@ -194,6 +201,7 @@ void describe(Description& d, Scenario& scenario, const Catalogue& catalogue) {
             [&] { describe_neighbours(d, scenario.neighbours); });
   d.section({"time", "step and end", true}, [&] { describe_time(d, scenario.time, catalogue); });
   d.section({"output", "what is written"}, [&] { describe_output(d, scenario.output); });
+  describe_probes(d, scenario.probes);
   d.section({"check", "what the result must hold"},
             [&] { describe_check(d, scenario, catalogue); });
 }

@@ -42,6 +42,14 @@ void check_together(const Scenario& scenario, const Document& document) {
   if (!scenario.differential_operator.made)
     refuse("operator", fmt::format("the operator {} does not exist in {} dimensions",
                                    scenario.differential_operator.name(), scenario.dimension));
+  if (!scenario.probes.empty() && scenario.model->lives_on_a_line())
+    refuse("probes",
+           fmt::format("probes look into flows in space, and the model {} lives on a line",
+                       scenario.model_type));
+  check_history_checks(scenario.check.history, scenario.time.end, scenario.constants_by_name(),
+                       document);
+  check_probes(scenario.probes, {dimension, scenario.domain.lower, scenario.domain.upper},
+               document);
   const double steps = scenario.time.end / scenario.time.step.value_or(scenario.time.end);
   if (!(steps < 1e12))
     refuse("time.step", fmt::format("{:.3g} steps of {} to the end {} are more than 1e12", steps,
@@ -52,10 +60,9 @@ void check_together(const Scenario& scenario, const Document& document) {
 }
 
 void fill_defaults_on_a_line(Scenario& scenario) {
-  auto& output = scenario.output;
-  if (output.history == 0)
-    output.history = std::max<std::int64_t>(
-        1, static_cast<std::int64_t>(*output.every / *scenario.time.step / 10));
+  if (scenario.output.history == 0)
+    scenario.output.history = std::max<std::int64_t>(
+        1, static_cast<std::int64_t>(*scenario.output.every / *scenario.time.step / 10));
   if (scenario.particles.layout.empty()) scenario.particles.layout = "regular";
   if (!scenario.domain.boundary) scenario.domain.boundary = LineEnds::zero_gradient;
   if (!scenario.domain.extension)
@@ -67,7 +74,7 @@ void fill_defaults_in_space(Scenario& scenario) {
   auto& particles = scenario.particles;
   if (particles.layout.empty()) particles.layout = "lattice";
   if (particles.layout == "jittered" && !particles.jitter) particles.jitter = 0.2;
-  if (!scenario.time.courant) scenario.time.courant = Scenario::Time::usual_courant;
+  if (!scenario.time.courant) scenario.time.courant = 0.25;
 }
 
 /// What the defaults depend on is known only now.

@@ -11,7 +11,9 @@
 #include "mote/scenario/comparison_section.hpp"
 #include "mote/scenario/document.hpp"
 #include "mote/scenario/expression.hpp"
+#include "mote/scenario/history_checks.hpp"
 #include "mote/scenario/operator_choice.hpp"
+#include "mote/scenario/probes.hpp"
 #include "mote/scenario/space_sections.hpp"
 
 namespace mote {
@@ -53,7 +55,6 @@ struct Scenario {
 
   struct Time {
     std::string integrator = "velocity_verlet";
-    static constexpr double usual_courant = 0.25;
     std::optional<double> courant;  ///< Courant number of a step, in space
     std::optional<double> step;     ///< longest step; in space there may be none
     double end = 0;
@@ -65,18 +66,23 @@ struct Scenario {
     bool picture = true;
   } output;
 
+  std::vector<Probe> probes;
+
   /// Limits by name; a name without a limit is not checked.
   using Limits = std::vector<std::pair<std::string, std::optional<double>>>;
   struct Checks {
-    Limits fields;  ///< relative L2 errors at the end
+    Limits fields;  ///< relative errors at the end
     Limits drifts;  ///< relative drifts of conserved quantities
 
     bool has_limits() const;
   };
   struct Check {
     std::string against = "nothing";
-    Checks lagrangian;  ///< for points that move with the material
-    Checks eulerian;    ///< for points that stand still, if it has limits; else the others hold
+    std::string norm = "l2";  ///< of the errors of fields
+    Checks lagrangian;        ///< for points that move with the material
+    Checks eulerian;  ///< for points that stand still, if it has limits; else the others hold
+
+    std::vector<HistoryCheck> history;
 
     const Checks& of(Frame frame) const;
   } check;

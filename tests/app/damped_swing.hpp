@@ -39,8 +39,8 @@ class DampedSwing final : public Model {
   Parameters parameters() const override { return {}; }
 
   /// Shorter where the particles are faster, down to nothing at all with `collapse`.
-  double longest_step(double courant) override {
-    return courant / (1 + 10 * fastest()) - collapse_ * fastest();
+  double longest_step(double, double courant) override {
+    return 0.25 * courant / (1 + 10 * fastest()) - collapse_ * fastest();
   }
   void start_afresh() override { current_ = false; }
   std::vector<Reading> readings() const override { return {{"fastest", fastest()}}; }

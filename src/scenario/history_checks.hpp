@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mote/options/description.hpp"
+#include "mote/scenario/document.hpp"
+#include "mote/scenario/expression.hpp"
+
+namespace mote {
+
+/// One of the list `check.history`: what a column of history.csv must hold. It is compared with one
+/// of: a value, bounds, a formula in t, a curve of points, or a rate of decay.
+struct HistoryCheck {
+  std::string quantity;      ///< the column
+  std::optional<double> at;  ///< time at which a value or a bound is meant; none: at the end
+  std::optional<double> value, most, least, decay_rate;
+  std::string formula;
+  /// The curve: columns x and y of a CSV file, or numbers. Numbers come first: with them the file
+  /// is where they are from, which is how run.yaml has it.
+  std::string file, x, y;
+  std::vector<double> times, values;
+  double scale_time = 1, scale = 1;  ///< by which time and quantity become x and y
+  std::string relative_to = "value";
+  std::optional<double> error;  ///< largest relative error
+
+  bool has_bounds() const { return most || least; }
+  bool has_curve() const { return !file.empty() || !times.empty() || !values.empty(); }
+};
+
+/// Says what the list holds.
+void describe_history_checks(Description& description, std::vector<HistoryCheck>& checks);
+
+/// Refuses what no single key can state, for a run until `end`. Throws LocatedError.
+void check_history_checks(const std::vector<HistoryCheck>& checks, double end,
+                          const Constants& constants, const Document& document);
+
+}  // namespace mote
