@@ -31,7 +31,7 @@ std::function<Triple(double)> wall_velocity(const Scenario& scenario, const Wall
       velocity[d] = (*components)[d]({.t = time});
       if (!std::isfinite(velocity[d]))
         throw NumericalFailure(
-            fmt::format("the velocity of the wall '{}' is not a finite number", name), {0},
+            fmt::format("the velocity of the wall '{}' is not a finite number", name), {},
             "its expression has no value at this time");
     }
     return velocity;

@@ -13,7 +13,7 @@ namespace mote {
 namespace {
 
 /// Keys along which errors fall by a power, the preferred one first.
-constexpr const char* refinement_keys[] = {"particles.count", "time.step"};
+constexpr const char* refinement_keys[] = {"particles.count", "particles.spacing", "time.step"};
 
 /// A value as part of a folder's name.
 std::string in_a_folder_name(const std::string& value) {
@@ -140,6 +140,7 @@ std::vector<std::string> assignments_of(const Comparison& comparison, const Memb
 
 double spacing_along(const std::string& path, const Scenario& scenario) {
   if (path == "time.step") return *scenario.time.step;
+  if (path == "particles.spacing") return *scenario.particles.spacing;
   return std::pow(static_cast<double>(*scenario.particles.count),
                   -1 / static_cast<double>(scenario.dimension));
 }

@@ -84,7 +84,8 @@ std::string problem_of(const Expectation& expectation, const Comparison& compari
   if (expectation.asks_for_failure()) return "";
   const auto refined = comparison.refinement;
   if (expectation.asks_for_order() && (!refined || comparison.vary[*refined].values.size() < 2))
-    return "an order needs two values of 'particles.count' or 'time.step', and neither is varied";
+    return "an order needs two values of 'particles.count', 'particles.spacing' or 'time.step', "
+           "and none is varied";
   return problem_of_field(expectation, comparison);
 }
 

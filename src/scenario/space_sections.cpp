@@ -1,5 +1,10 @@
 #include "mote/scenario/space_sections.hpp"
 
+#include <algorithm>
+#include <iterator>
+
+#include "mote/neighbours/search.hpp"
+
 namespace mote {
 namespace {
 
@@ -79,11 +84,10 @@ void describe_regions(Description& d, std::vector<RegionSection>& regions) {
 }
 
 void describe_neighbours(Description& d, NeighboursSection& neighbours) {
-  d.choice({"search", "how neighbours are found"}, neighbours.search,
-           {{"automatic", "the model chooses"},
-            {"line", "along a line"},
-            {"cell_grid", "by a grid of cells, in space"},
-            {"kd_tree", "by a k-d tree, in space"}});
+  Choices searches{{"automatic", "the model chooses"}};
+  std::ranges::copy(search_names<1>(), std::back_inserter(searches));  // a line knows them all
+  d.choice({"search", "how neighbours are found; on a line always along it"}, neighbours.search,
+           searches);
   d.number({"skin",
             "how much further than the operator the lists reach, relative; default: the "
             "model chooses"},

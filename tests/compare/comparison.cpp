@@ -59,10 +59,12 @@ TEST(Refinement, IsTheNumberOfParticlesRatherThanTheStep) {
 TEST(Refinement, GoesByTheSpacingInEveryDimension) {
   Scenario scenario;
   scenario.particles.count = 64;
+  scenario.particles.spacing = 0.25;
   scenario.time.step = 0.5;
   for (const auto& [dimension, spacing] : {std::pair{1, 1.0 / 64}, {2, 1.0 / 8}, {3, 1.0 / 4}}) {
     scenario.dimension = dimension;
     EXPECT_DOUBLE_EQ(spacing_along("particles.count", scenario), spacing);
+    EXPECT_EQ(spacing_along("particles.spacing", scenario), 0.25);
     EXPECT_EQ(spacing_along("time.step", scenario), 0.5);
   }
 }

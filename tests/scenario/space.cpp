@@ -63,7 +63,7 @@ TEST(SpaceScenario, FillsInDefaults) {
   EXPECT_EQ(*read.particles.jitter, 0.2);
   EXPECT_EQ(*read.time.courant, 0.25);
   EXPECT_FALSE(read.time.step);
-  EXPECT_EQ(read.output.history, 10);
+  EXPECT_EQ(read.output.history, 0);
   EXPECT_EQ(read.neighbours.search, "automatic");
   EXPECT_FALSE(read.neighbours.skin);
   EXPECT_FALSE(read.domain.boundary);
