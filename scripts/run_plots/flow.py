@@ -39,7 +39,7 @@ class Panel:
         self.fluid = snapshot.fluid[chosen]
         self.raster = Raster(self.places.min(axis=0) - self.radius,
                              self.places.max(axis=0) + self.radius)
-        if snapshot.spacing < 6 * self.raster.pixel:  # gaps of single pixels would make patterns
+        if snapshot.spacing < 16 * self.raster.pixel:  # gaps of single pixels would make patterns
             self.radius = snapshot.spacing / 2 ** 0.5
 
     def draw(self, axes, name, values, unit, summary):

@@ -1,0 +1,159 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "support/program.hpp"
+
+namespace mote::test {
+namespace {
+
+using nlohmann::json;
+
+/// A column of water that begins to fall in a tank, with particles enough for several threads.
+constexpr const char* tank = R"(name: tank
+dimension: 2
+domain: {lower: [0, 0], upper: [1, 0.6], walls: [{side: x_lower}, {side: x_upper}, {side: y_lower}]}
+particles: {spacing: 0.01}
+regions:
+  - {name: water, type: fluid, shapes: [{type: box, lower: [0, 0], upper: [0.9, 0.5]}]}
+model:
+  {type: weakly_compressible, density: 1000, sound_speed: 22, gravity: [0, -9.81],
+   free_surface: true}
+operator: {family: sph, kernel: wendland_c2}
+time: {end: 0.02}
+output: {every: 0.005, picture: false}
+)";
+
+/// A block of water that leaves an open domain, row by row.
+constexpr const char* outflow = R"(name: outflow
+dimension: 2
+domain: {lower: [0, 0], upper: [0.2, 0.2]}
+particles: {spacing: 0.01}
+initial: {velocity_y: "-10"}
+model: {type: weakly_compressible, density: 1000, sound_speed: 100, free_surface: true}
+operator: {family: sph, kernel: wendland_c2}
+time: {end: 0.02}
+output: {every: 0.005, picture: false}
+)";
+
+/// Files that hold all that a run came to.
+const std::vector<std::string> results{"snapshots/000000.hdf", "snapshots/000001.hdf",
+                                       "snapshots/000002.hdf", "snapshots/000003.hdf",
+                                       "snapshots/000004.hdf", "history.csv"};
+
+class Flow : public testing::Test {
+ protected:
+  fs::path run(const std::string& scenario, const std::string& out,
+               const std::vector<std::string>& more = {}) const {
+    write(folder_ / "scenario.yaml", scenario);
+    std::vector<std::string> words{"run", (folder_ / "scenario.yaml").string(), "--out",
+                                   (folder_ / out).string(), "--quiet"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = mote(words);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+    return folder_ / out;
+  }
+
+  /// The same run, cut after its second snapshot and resumed.
+  fs::path resumed(const fs::path& whole, const std::string& out,
+                   const std::string& threads) const {
+    fs::copy(whole, folder_ / out, fs::copy_options::recursive);
+    for (const char* name : {"summary.json", "snapshots/000003.hdf", "snapshots/000004.hdf"})
+      fs::remove(folder_ / out / name);
+    const Outcome outcome =
+        mote({"resume", (folder_ / out).string(), "--threads", threads, "--quiet"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+    return folder_ / out;
+  }
+
+  static void expect_same(const fs::path& a, const fs::path& b) {
+    for (const std::string& name : results) {
+      ASSERT_TRUE(fs::exists(a / name) && fs::exists(b / name)) << name;
+      EXPECT_TRUE(read(a / name) == read(b / name)) << name;
+    }
+  }
+
+  /// Rows of numbers of a CSV file.
+  static std::vector<std::vector<double>> rows_of(const std::string& csv) {
+    std::vector<std::vector<double>> rows;
+    std::istringstream lines(csv);
+    std::string line, cell;
+    std::getline(lines, line);
+    while (std::getline(lines, line)) {
+      rows.emplace_back();
+      std::istringstream cells(line);
+      while (std::getline(cells, cell, ',')) rows.back().push_back(std::stod(cell));
+    }
+    return rows;
+  }
+
+  std::vector<std::vector<double>> exported(const fs::path& out) const {
+    const std::string csv = (folder_ / "frame.csv").string();
+    EXPECT_EQ(mote({"export", out.string(), "--to", csv, "--overwrite"}).exit_code, 0);
+    return rows_of(read(csv));
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Flow, HasTheSameBitsForAnyNumberOfThreads) {
+  const fs::path one = run(tank, "one", {"--threads", "1"});
+  expect_same(one, run(tank, "two", {"--threads", "2"}));
+  expect_same(one, run(tank, "four", {"--threads", "4"}));
+}
+
+TEST_F(Flow, HasTheSameBitsAfterAResume) {
+  const fs::path whole = run(tank, "whole", {"--threads", "2"});
+  for (const char* threads : {"1", "2", "4"})
+    expect_same(whole, resumed(whole, std::string("resumed") + threads, threads));
+}
+
+/// Negative control of the comparisons above.
+TEST_F(Flow, HasOtherBitsWithAnotherCourantNumber) {
+  const fs::path whole = run(tank, "whole");
+  const fs::path other = run(tank, "other", {"--set", "time.courant=0.2"});
+  EXPECT_FALSE(read(whole / results[4]) == read(other / results[4]));
+}
+
+TEST_F(Flow, HitsEveryFrameWithStepsOfItsOwn) {
+  const fs::path out = run(tank, "out");
+  const json series = json::parse(read(out / "snapshots.hdf.series"));
+  std::vector<double> times;
+  for (const json& file : series["files"]) times.push_back(file["time"]);
+  EXPECT_EQ(times, (std::vector<double>{0, 0.005, 2 * 0.005, 3 * 0.005, 0.02}));
+  EXPECT_GT(json::parse(read(out / "summary.json"))["steps"], 40);
+}
+
+TEST_F(Flow, TellsConservationAndMemoryInTheSummary) {
+  const json summary = json::parse(read(run(tank, "out") / "summary.json"));
+  EXPECT_EQ(summary["dimension"], 2);
+  EXPECT_TRUE(summary["conservation"].contains("momentum_x"));
+  EXPECT_EQ(summary["conservation"]["mass"]["drift"], 0);
+  EXPECT_GT(summary["bytes_per_particle"], 100);
+}
+
+TEST_F(Flow, IsExportedInOrderOfIds) {
+  const auto rows = exported(run(tank, "out"));
+  ASSERT_GT(rows.size(), 4500);
+  for (std::size_t k = 0; k < rows.size(); ++k) ASSERT_EQ(rows[k][0], k);
+}
+
+TEST_F(Flow, GoesOnWithoutTheParticlesThatLeftTheDomain) {
+  const fs::path whole = run(outflow, "whole");
+  expect_same(whole, resumed(whole, "resumed", "2"));
+  const auto rows = exported(whole);
+  const double removed = rows_of(read(whole / "history.csv")).back().back();
+  EXPECT_GT(removed, 0);
+  EXPECT_EQ(static_cast<double>(rows.size()) + removed, 400);
+  EXPECT_TRUE(std::ranges::is_sorted(rows, {}, [](const auto& row) { return row[0]; }));
+}
+
+TEST_F(Flow, HasAPictureOfItsParticles) {
+  const fs::path out = run(tank, "out", {"--set", "output.picture=true"});
+  EXPECT_EQ(read(out / "fields.png").substr(1, 3), "PNG");
+}
+
+}  // namespace
+}  // namespace mote::test
