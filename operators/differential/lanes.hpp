@@ -1,6 +1,10 @@
 #pragma once
 
+// g++ 12 takes its own undefined registers for uninitialised variables.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wuninitialized"
 #include <experimental/simd>
+#pragma GCC diagnostic pop
 
 namespace mote {
 

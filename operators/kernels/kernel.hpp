@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "mote/neighbours/neighbours.hpp"
+#include "mote/operators/differential/lanes.hpp"
 #include "mote/options/description.hpp"
 
 namespace mote {
@@ -35,5 +36,31 @@ concept HasOptions = requires(K kernel, Description& description) {
 /// Whether q lies in the support. The rim counts as inside: a neighbour exactly there keeps its
 /// curvature although its distance is rounded (ERRATA on (90)).
 constexpr bool inside(double q, double support) { return q <= support * rim_tolerance; }
+
+/// A kernel's formula within the support, and 0 beyond it, for one number or for lanes of them.
+constexpr double cut(double formula, double q, double support) {
+  return inside(q, support) ? formula : 0;
+}
+inline Lanes cut(Lanes formula, const Lanes& q, double support) {
+  where(q > support * rim_tolerance, formula) = 0;
+  return formula;
+}
+
+/// Eight values of a kernel's function at a time. A kernel that has no formula for lanes is asked
+/// lane by lane.
+template <class K>
+Lanes value_of(const K& kernel, const Lanes& q) {
+  if constexpr (requires { kernel.value(q); })
+    return kernel.value(q);
+  else
+    return Lanes([&](auto lane) { return kernel.value(q[lane]); });
+}
+template <class K>
+Lanes slope_over_q_of(const K& kernel, const Lanes& q) {
+  if constexpr (requires { kernel.slope_over_q(q); })
+    return kernel.slope_over_q(q);
+  else
+    return Lanes([&](auto lane) { return kernel.slope_over_q(q[lane]); });
+}
 
 }  // namespace mote

@@ -3,10 +3,10 @@
 namespace mote {
 
 /// x to a small whole power, by multiplication.
-template <int N>
-constexpr double power(double x) {
-  double product = 1;
-  for (int k = 0; k < N; ++k) product *= x;
+template <int N, class Real>
+constexpr Real power(const Real& x) {
+  Real product = x;
+  for (int k = 1; k < N; ++k) product = product * x;
   return product;
 }
 

@@ -23,16 +23,10 @@ struct WendlandC2 {
 
   static constexpr double support() { return 2; }
 
-  static constexpr double value(double q) {
-    const double s = q / 2, u = 1 - s;
-    if (!inside(q, 2)) return 0;
-    return scale * (D == 1 ? power<3>(u) * (1 + 3 * s) : power<4>(u) * (1 + 4 * s));
-  }
-  static constexpr double slope_over_q(double q) {
-    const double s = q / 2, u = 1 - s;
-    if (!inside(q, 2)) return 0;
-    return scale / 4 * (D == 1 ? -12 * power<2>(u) : -20 * power<3>(u));
-  }
+  static constexpr double value(double q) { return value_at(q); }
+  static constexpr double slope_over_q(double q) { return slope_over_q_at(q); }
+  static Lanes value(const Lanes& q) { return value_at(q); }
+  static Lanes slope_over_q(const Lanes& q) { return slope_over_q_at(q); }
   static constexpr double curvature(double q) {
     const double s = q / 2, u = 1 - s;
     if (!inside(q, 2)) return 0;
@@ -40,7 +34,18 @@ struct WendlandC2 {
   }
 
  private:
-  static constexpr double scale = norm / power<D>(2);
+  static constexpr double scale = norm / power<D>(2.0);
+
+  template <class Real>
+  static constexpr Real value_at(const Real& q) {
+    const Real s = 0.5 * q, u = 1 - s;
+    return cut(scale * (D == 1 ? power<3>(u) * (1 + 3 * s) : power<4>(u) * (1 + 4 * s)), q, 2);
+  }
+  template <class Real>
+  static constexpr Real slope_over_q_at(const Real& q) {
+    const Real u = 1 - 0.5 * q;
+    return cut(scale / 4 * (D == 1 ? -12 * power<2>(u) : -20 * power<3>(u)), q, 2);
+  }
 };
 
 }  // namespace mote

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,6 +38,9 @@ class Simulation {
   const std::vector<Conserved>& conserved_at_start() const { return conserved_at_start_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
 
+  /// Whether the state limits the steps, and so decides how many there will be.
+  bool has_steps_of_its_own() { return std::isfinite(longest_step(0)); }
+
   /// The next step towards a frame, the `number`-th since the last one, from `time` on: one of the
   /// plan, or as long as the state allows, where the model says so. Throws NumericalFailure.
   Step next_step(std::int64_t frame, std::int64_t number, double time);
@@ -54,9 +58,9 @@ class Simulation {
   void restore(const Snapshot& snapshot);
 
  private:
+  double longest_step(double time);
   void refuse_what_does_not_fit() const;
   void build(const Document& document, const Catalogue& catalogue);
-  void refuse_operators_that_do_not_fit(const Document& document);
   void limit_step(const Document& document);
   void warn(const std::string& where, const std::string& message);
   void make_exact(const Catalogue& catalogue);
@@ -65,7 +69,7 @@ class Simulation {
   Scenario scenario_;
   std::string fingerprint_, resolved_yaml_;
   bool strict_;
-  double bytes_needed_;
+  double bytes_needed_ = 0;
   TimePlan plan_;
   std::unique_ptr<Model> model_;
   std::unique_ptr<Integrator> integrator_;

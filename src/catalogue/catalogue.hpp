@@ -12,12 +12,16 @@
 #include "mote/models/model.hpp"
 #include "mote/operators/differential/all.hpp"
 #include "mote/operators/kernels/all.hpp"
+#include "mote/operators/terms/fluid_terms_on.hpp"
 #include "mote/options/description.hpp"
 #include "mote/particles/layouts.hpp"
 
 namespace mote {
 
-struct KernelEntry : Choice {};
+struct KernelEntry : Choice {
+  /// Makes the pair terms of a fluid on the kernel; null in a dimension without them.
+  std::function<std::unique_ptr<AnyFluidTerms>(std::int64_t dimension)> fluid_terms;
+};
 
 /// A differential operator: a family, and what distinguishes the members of the family, which is
 /// the kernel they are built on, the degree of their polynomials, or nothing (then both are empty).
@@ -130,6 +134,14 @@ std::unique_ptr<AnyOperator> new_operator(std::int64_t dimension) {
   return nullptr;
 }
 
+/// Makes the pair terms of a fluid in two or three dimensions.
+template <template <int> class Kernel>
+std::unique_ptr<AnyFluidTerms> new_fluid_terms(std::int64_t dimension) {
+  if (dimension == 2) return std::make_unique<FluidTermsOn<2, Kernel<2>>>();
+  if (dimension == 3) return std::make_unique<FluidTermsOn<3, Kernel<3>>>();
+  return nullptr;
+}
+
 /// A family on a kernel, as a template over the dimension.
 template <template <int, class> class Family, template <int> class Kernel>
 struct OnKernel {
@@ -139,7 +151,7 @@ struct OnKernel {
 
 template <template <int> class Kernel>
 void Catalogue::add_kernel() {
-  kernels.push_back({choice_of<Kernel<1>>()});
+  kernels.push_back({choice_of<Kernel<1>>(), new_fluid_terms<Kernel>});
   for_each_kernel_family(KernelFamilies{}, [&]<template <int, class> class Family>() {
     operators.push_back({std::string(Family<1, Kernel<1>>::family), "kernel",
                          std::string(Kernel<1>::name), std::string(Kernel<1>::summary),

@@ -139,8 +139,8 @@ std::vector<std::string> assignments_of(const Comparison& comparison, const Memb
 }
 
 double spacing_along(const std::string& path, const Scenario& scenario) {
-  if (path == "time.step") return scenario.time.step;
-  return std::pow(static_cast<double>(scenario.particles.count),
+  if (path == "time.step") return *scenario.time.step;
+  return std::pow(static_cast<double>(*scenario.particles.count),
                   -1 / static_cast<double>(scenario.dimension));
 }
 

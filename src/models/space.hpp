@@ -10,29 +10,10 @@
 #include <vector>
 
 #include "mote/operators/differential/differential_operator.hpp"
+#include "mote/operators/terms/fluid_terms.hpp"
+#include "mote/particles/body.hpp"
 
 namespace mote {
-
-/// Three numbers; in fewer dimensions the last ones are 0.
-using Triple = std::array<double, 3>;
-
-/// What the particles of a body are.
-enum class BodyKind { fluid, wall };
-
-/// Particles that belong together: a region of fluid, or a wall.
-struct Body {
-  std::string name;
-  BodyKind kind = BodyKind::fluid;
-  bool slips = false;                      ///< a wall along which the fluid slips freely
-  std::function<Triple(double)> velocity;  ///< of a wall, by time; empty: it stands still
-  bool travels = true;  ///< whether the wall's particles go along with its velocity, or only drag
-};
-
-/// Where a wall particle is seen from the fluid.
-struct WallPlace {
-  double depth = 0;  ///< distance from the wall's surface, positive inside the wall
-  Triple normal{};   ///< unit vector from the surface into the fluid
-};
 
 /// Value at a place and time.
 using PlaceFunction = std::function<double(const Triple& place, double time)>;
@@ -58,7 +39,9 @@ struct SpaceStart {
 /// What a model in space is made from.
 struct SpaceSetup : SpaceStart {
   std::unique_ptr<AnyOperator> differential_operator;
-  std::string search;          ///< name of the neighbour search; empty: the model chooses
+  std::unique_ptr<AnyFluidTerms> terms;  ///< pair terms on the scenario's kernel
+  double smoothing_length = 1;           ///< of those terms, in spacings
+  std::string search;                    ///< name of the neighbour search; empty: the model chooses
   std::optional<double> skin;  ///< how much further than the operator lists reach, relative
 };
 

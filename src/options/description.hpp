@@ -55,6 +55,9 @@ class Description {
  public:
   virtual ~Description() = default;
 
+  /// Whether all variants of a file are wanted, as for a schema, and not those of one file.
+  virtual bool wants_all_variants() const { return false; }
+
   virtual void number(const Key& key, double& value, Range range = {}) = 0;
   /// A number that has no default: absent stays absent.
   virtual void number(const Key& key, std::optional<double>& value, Range range = {}) = 0;
@@ -65,6 +68,7 @@ class Description {
   virtual void numbers(const Key& key, std::vector<double>& values) = 0;
   /// A formula in x, y, z, r, t, pi and the scenario's constants; kept as text.
   virtual void expression(const Key& key, std::string& value) = 0;
+  /// An empty word is none: absent stays absent.
   virtual void choice(const Key& key, std::string& value, const Choices& choices) = 0;
   /// A word that decides which further keys the section has; `rest` describes those.
   virtual void variant(const Key& key, std::string& value, const Choices& choices,
@@ -102,9 +106,9 @@ struct Word {
   std::string_view summary;
 };
 
-/// Describes an enumeration by its table of words.
+/// Describes an enumeration that has no default by its table of words: absent stays absent.
 template <class Enumeration, std::size_t N>
-void describe_words(Description& description, const Key& key, Enumeration& value,
+void describe_words(Description& description, const Key& key, std::optional<Enumeration>& value,
                     const Word<Enumeration> (&words)[N]) {
   Choices choices;
   std::string name;
@@ -115,6 +119,15 @@ void describe_words(Description& description, const Key& key, Enumeration& value
   description.choice(key, name, choices);
   for (const auto& word : words)
     if (word.name == name) value = word.value;
+}
+
+/// Describes an enumeration by its table of words.
+template <class Enumeration, std::size_t N>
+void describe_words(Description& description, const Key& key, Enumeration& value,
+                    const Word<Enumeration> (&words)[N]) {
+  std::optional<Enumeration> chosen = value;
+  describe_words(description, key, chosen, words);
+  value = *chosen;
 }
 
 }  // namespace mote

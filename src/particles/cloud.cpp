@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "mote/particles/parallel.hpp"
+
 namespace mote {
 
 Cloud::Cloud(int dimension, Index count) : dimension_(dimension), count_(count) {
@@ -16,6 +18,23 @@ std::span<double> Cloud::add(std::string name, FieldKind kind, std::string si_un
   fields_.push_back(
       {std::move(name), kind, components, std::move(si_unit), std::vector<double>(size)});
   return fields_.back().values;
+}
+
+void Cloud::rearrange(std::span<const Index> order) {
+  std::vector<double> values;
+  for (Field& field : fields_) {
+    const auto components = static_cast<std::size_t>(field.components);
+    values.resize(order.size() * components);
+#pragma omp parallel for schedule(static) if (parallel_from <= static_cast <Index>(order.size()))
+    for (std::size_t k = 0; k < order.size(); ++k)
+      for (std::size_t c = 0; c < components; ++c)
+        values[k * components + c] =
+            field.values[static_cast<std::size_t>(order[k]) * components + c];
+#pragma omp parallel for schedule(static) if (parallel_from <= static_cast <Index>(order.size()))
+    for (std::size_t k = 0; k < values.size(); ++k) field.values[k] = values[k];
+    field.values.resize(values.size());
+  }
+  count_ = static_cast<Index>(order.size());
 }
 
 bool Cloud::has(std::string_view name) const {

@@ -35,6 +35,10 @@ class Cloud {
   /// Adds a field of zeros. The name must be new.
   std::span<double> add(std::string name, FieldKind kind, std::string si_unit);
 
+  /// Puts the particle order[k] at place k and keeps only those that `order` names; the others are
+  /// gone. `order` names no particle twice. Spans into the fields stay valid but for their length.
+  void rearrange(std::span<const Index> order);
+
   bool has(std::string_view name) const;
   /// The values of a field that exists; std::out_of_range otherwise.
   std::span<double> values(std::string_view name);

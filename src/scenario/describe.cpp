@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 
+#include "mote/particles/lattice.hpp"
 #include "mote/scenario/scenario.hpp"
 
 namespace mote {
@@ -14,16 +15,30 @@ constexpr Word<LineEnds> boundaries[] = {
 void describe_domain(Description& d, Scenario::Domain& domain) {
   d.numbers({"lower", "lower corner, one number a dimension", true}, domain.lower);
   d.numbers({"upper", "upper corner, one number a dimension", true}, domain.upper);
-  describe_words(d, {"boundary", "what lies beyond the ends"}, domain.boundary, boundaries);
-  d.count({"extension", "cells beyond each end (N_end_cor); default: the operator's reach"},
-          domain.extension, {0, 1e6});
+  describe_words(d, {"boundary", "on a line: what lies beyond the ends; default: zero_gradient"},
+                 domain.boundary, boundaries);
+  d.count(
+      {"extension", "on a line: cells beyond each end (N_end_cor); default: the operator's reach"},
+      domain.extension, {0, 1e6});
+  d.words({"periodic", "in space: axes along which what leaves on one side comes in on the other"},
+          domain.periodic,
+          {{"x", "the first axis"}, {"y", "the second axis"}, {"z", "the third axis"}});
+  describe_side_walls(d, domain.walls);
 }
 
 void describe_particles(Description& d, Scenario::Particles& particles,
                         const Catalogue& catalogue) {
-  d.choice({"layout", "how the points lie"}, particles.layout, choices_of(catalogue.layouts));
-  d.count({"count", "number of particles", true}, particles.count, {2, 2e9});
-  d.count({"seed", "of the random layout"}, particles.seed, not_negative);
+  Choices layouts = choices_of(catalogue.layouts);
+  layouts.insert(layouts.end(), lattice_layouts().begin(), lattice_layouts().end());
+  d.choice({"layout", "how the points lie; default: regular, or in space lattice"},
+           particles.layout, layouts);
+  d.count({"count", "on a line: number of particles"}, particles.count, {2, 2e9});
+  d.number({"spacing", "in space: distance between particles"}, particles.spacing, positive);
+  d.number({"jitter",
+            "of the jittered layout: how far fluid is moved along each axis at most, in "
+            "spacings; default: 0.2"},
+           particles.jitter, {0, 0.45});
+  d.count({"seed", "of random layouts"}, particles.seed, not_negative);
 }
 
 void describe_model(Description& d, Scenario& scenario, const Catalogue& catalogue) {
@@ -37,23 +52,65 @@ void describe_model(Description& d, Scenario& scenario, const Catalogue& catalog
             });
 }
 
+/// Visits the models whose fields and quantities a file can name: its own, or all that there are.
+void for_each_model(const Description& d, const Scenario& scenario, const Catalogue& catalogue,
+                    const std::function<void(const ModelRecipe&)>& visit) {
+  if (!d.wants_all_variants()) {
+    if (scenario.model) visit(*scenario.model);
+    return;
+  }
+  for (const ModelEntry& entry : catalogue.models) visit(*entry.make());
+}
+
+/// The number of dimensions in which fields and quantities are named.
+int dimension_of(const Description& d, const Scenario& scenario) {
+  return d.wants_all_variants() ? 3 : static_cast<int>(scenario.dimension);
+}
+
 /// The initial fields of the model, with its defaults.
-void describe_initial(Description& d, Scenario& scenario) {
-  for (const InitialField& field :
-       scenario.model->initial_fields(static_cast<int>(scenario.dimension))) {
+std::vector<InitialField> initial_fields(const Description& d, const Scenario& scenario,
+                                         const Catalogue& catalogue) {
+  std::vector<InitialField> fields;
+  for_each_model(d, scenario, catalogue, [&](const ModelRecipe& model) {
+    for (const InitialField& field : model.initial_fields(dimension_of(d, scenario)))
+      if (std::ranges::find(fields, field.name, &InitialField::name) == fields.end())
+        fields.push_back(field);
+  });
+  return fields;
+}
+
+/// Whether a file must give this field: in a schema none, for another model may do without.
+bool is_required(const Description& d, const InitialField& field) {
+  return !d.wants_all_variants() && field.default_expression.empty();
+}
+
+std::vector<std::string> conserved_names(const Description& d, const Scenario& scenario,
+                                         const Catalogue& catalogue) {
+  std::vector<std::string> names;
+  for_each_model(d, scenario, catalogue, [&](const ModelRecipe& model) {
+    for (const std::string& name : model.conserved_names(dimension_of(d, scenario)))
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  });
+  return names;
+}
+
+void describe_initial(Description& d, Scenario& scenario, const std::vector<InitialField>& fields) {
+  for (const InitialField& field : fields) {
     auto found = std::ranges::find(scenario.initial, field.name,
                                    &std::pair<std::string, std::string>::first);
     if (found == scenario.initial.end()) {
       scenario.initial.emplace_back(field.name, field.default_expression);
       found = std::prev(scenario.initial.end());
     }
-    d.expression({field.name, field.summary, field.default_expression.empty()}, found->second);
+    d.expression({field.name, field.summary, is_required(d, field)}, found->second);
   }
 }
 
 void describe_time(Description& d, Scenario::Time& time, const Catalogue& catalogue) {
   d.choice({"integrator", "how time goes on"}, time.integrator, choices_of(catalogue.integrators));
-  d.number({"step", "longest time step", true}, time.step, positive);
+  d.number({"courant", "in space: Courant number of a step; default: 0.25"}, time.courant,
+           {0, 1, true});
+  d.number({"step", "longest time step; in space there may be none"}, time.step, positive);
   d.number({"end", "time at which the run ends", true}, time.end, positive);
 }
 
@@ -93,9 +150,7 @@ void describe_checks(Description& d, Scenario::Checks& checks,
 
 void describe_check(Description& d, Scenario& scenario, const Catalogue& catalogue) {
   Scenario::Check& check = scenario.check;
-  std::vector<std::string> quantities;
-  if (scenario.model)
-    quantities = scenario.model->conserved_names(static_cast<int>(scenario.dimension));
+  const std::vector<std::string> quantities = conserved_names(d, scenario, catalogue);
   Choices solutions = choices_of(catalogue.exact_solutions);
   solutions.push_back({"nothing", "no exact solution"});
   d.variant({"against", "exact solution"}, check.against, solutions,
@@ -131,14 +186,19 @@ void describe(Description& d, Scenario& scenario, const Catalogue& catalogue) {
             [&] { describe_domain(d, scenario.domain); });
   d.section({"particles", "how many, and how they lie", true},
             [&] { describe_particles(d, scenario.particles, catalogue); });
+  describe_regions(d, scenario.regions);
   d.section({"model", "equations of motion", true},
             [&] { describe_model(d, scenario, catalogue); });
-  d.section({"initial", "state at the start, as expressions", true}, [&] {
-    if (scenario.model) describe_initial(d, scenario);
-  });
+  const std::vector<InitialField> fields = initial_fields(d, scenario, catalogue);
+  const bool has_required =
+      std::ranges::any_of(fields, [&](const auto& field) { return is_required(d, field); });
+  d.section({"initial", "state at the start, as expressions", has_required},
+            [&] { describe_initial(d, scenario, fields); });
   d.section({"operator", "how derivatives are formed", true}, [&] {
     describe_operator(d, scenario.differential_operator, catalogue, scenario.dimension);
   });
+  d.section({"neighbours", "how neighbours are found"},
+            [&] { describe_neighbours(d, scenario.neighbours); });
   d.section({"time", "step and end", true}, [&] { describe_time(d, scenario.time, catalogue); });
   d.section({"output", "what is written"}, [&] { describe_output(d, scenario.output); });
   describe_probes(d, scenario.probes);

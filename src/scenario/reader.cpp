@@ -37,6 +37,8 @@ bool is_questionable_number(const std::string& word) {
 
 std::string range_in_words(const Range& range) {
   const bool has_lower = std::isfinite(range.lower), has_upper = std::isfinite(range.upper);
+  if (has_lower && has_upper && range.open)
+    return fmt::format("must be greater than {} and at most {}", range.lower, range.upper);
   if (has_lower && has_upper) return fmt::format("must be from {} to {}", range.lower, range.upper);
   if (has_upper) return fmt::format("must be at most {}", range.upper);
   if (range.open) return fmt::format("must be greater than {}", range.lower);

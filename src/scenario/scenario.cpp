@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "mote/scenario/check_space.hpp"
 #include "mote/scenario/folder_name.hpp"
 #include "mote/scenario/located_error.hpp"
 #include "mote/scenario/reader.hpp"
@@ -38,9 +39,6 @@ void check_together(const Scenario& scenario, const Document& document) {
   for (std::size_t d = 0; d < dimension; ++d)
     if (!std::isfinite(scenario.domain.upper[d] - scenario.domain.lower[d]))
       refuse("domain.upper", "the domain from lower to upper is wider than numbers can tell");
-  if (scenario.dimension != 1)
-    refuse("dimension", fmt::format("the model {} lives on a line: dimension must be 1, and is {}",
-                                    scenario.model_type, scenario.dimension));
   if (!scenario.differential_operator.made)
     refuse("operator", fmt::format("the operator {} does not exist in {} dimensions",
                                    scenario.differential_operator.name(), scenario.dimension));
@@ -52,13 +50,31 @@ void check_together(const Scenario& scenario, const Document& document) {
                        document);
   check_probes(scenario.probes, {dimension, scenario.domain.lower, scenario.domain.upper},
                document);
-  const double steps = scenario.time.end / scenario.time.step;
+  const double steps = scenario.time.end / scenario.time.step.value_or(scenario.time.end);
   if (!(steps < 1e12))
     refuse("time.step", fmt::format("{:.3g} steps of {} to the end {} are more than 1e12", steps,
-                                    scenario.time.step, scenario.time.end));
+                                    *scenario.time.step, scenario.time.end));
   if (scenario.output.every.value_or(scenario.time.end) * 1e6 < scenario.time.end)
     refuse("output.every", fmt::format("a snapshot every {} makes more than a million of them",
                                        *scenario.output.every));
+}
+
+void fill_defaults_on_a_line(Scenario& scenario) {
+  if (scenario.output.history == 0)
+    scenario.output.history = std::max<std::int64_t>(
+        1, static_cast<std::int64_t>(*scenario.output.every / *scenario.time.step / 10));
+  if (scenario.particles.layout.empty()) scenario.particles.layout = "regular";
+  if (!scenario.domain.boundary) scenario.domain.boundary = LineEnds::zero_gradient;
+  if (!scenario.domain.extension)
+    scenario.domain.extension = static_cast<std::int64_t>(
+        std::ceil(scenario.differential_operator.made->neighbour_rule().reach()));
+}
+
+void fill_defaults_in_space(Scenario& scenario) {
+  auto& particles = scenario.particles;
+  if (particles.layout.empty()) particles.layout = "lattice";
+  if (particles.layout == "jittered" && !particles.jitter) particles.jitter = 0.2;
+  if (!scenario.time.courant) scenario.time.courant = 0.25;
 }
 
 /// What the defaults depend on is known only now.
@@ -66,12 +82,10 @@ void fill_defaults(Scenario& scenario) {
   auto& output = scenario.output;
   if (!output.every) output.every = scenario.time.end / 10;
   if (*output.every > scenario.time.end) output.every = scenario.time.end;
-  if (output.history == 0)
-    output.history = std::max<std::int64_t>(
-        1, static_cast<std::int64_t>(*output.every / scenario.time.step / 10));
-  if (!scenario.domain.extension)
-    scenario.domain.extension = static_cast<std::int64_t>(
-        std::ceil(scenario.differential_operator.made->neighbour_rule().reach()));
+  if (scenario.model->lives_on_a_line())
+    fill_defaults_on_a_line(scenario);
+  else
+    fill_defaults_in_space(scenario);
 }
 
 enum class Record { without, with };
@@ -107,6 +121,7 @@ Scenario read_scenario(const Document& document, const Catalogue& catalogue) {
   describe_comparison(reader, scenario.compare);
   describe_record(reader, scenario);
   reader.finish();
+  check_line_or_space(scenario, document);
   check_together(scenario, document);
   check_comparison(scenario.compare, document);
   fill_defaults(scenario);

@@ -14,6 +14,7 @@
 #include "mote/scenario/history_checks.hpp"
 #include "mote/scenario/operator_choice.hpp"
 #include "mote/scenario/probes.hpp"
+#include "mote/scenario/space_sections.hpp"
 
 namespace mote {
 
@@ -29,25 +30,33 @@ struct Scenario {
 
   struct Domain {
     std::vector<double> lower, upper;
-    LineEnds boundary = LineEnds::zero_gradient;
-    std::optional<std::int64_t> extension;  ///< cells beyond each end
+    std::optional<LineEnds> boundary;       ///< on a line
+    std::optional<std::int64_t> extension;  ///< cells beyond each end, on a line
+    std::vector<std::string> periodic;      ///< axes, in space
+    std::vector<SideWallSection> walls;     ///< in space
   } domain;
 
   struct Particles {
-    std::string layout = "regular";
-    std::int64_t count = 0;
+    std::string layout;
+    std::optional<std::int64_t> count;  ///< on a line
+    std::optional<double> spacing;      ///< in space
+    std::optional<double> jitter;       ///< of a jittered layout, in spacings
     std::int64_t seed = 0;
   } particles;
+
+  std::vector<RegionSection> regions;  ///< in space
 
   std::string model_type;
   std::unique_ptr<ModelRecipe> model;
   std::vector<std::pair<std::string, std::string>> initial;  ///< field, expression
 
   OperatorChoice differential_operator;
+  NeighboursSection neighbours;
 
   struct Time {
     std::string integrator = "velocity_verlet";
-    double step = 0;
+    std::optional<double> courant;  ///< Courant number of a step, in space
+    std::optional<double> step;     ///< longest step; in space there may be none
     double end = 0;
   } time;
 

@@ -18,6 +18,8 @@ class SchemaWriter final : public Description {
  public:
   explicit SchemaWriter(Json& object) : object_(&object) { open(); }
 
+  bool wants_all_variants() const override { return true; }
+
   void number(const Key& key, double& value, Range range) override {
     add(key, numeric("number", range), Json(value));
   }

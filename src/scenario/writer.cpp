@@ -41,7 +41,9 @@ void Writer::numbers(const Key& key, std::vector<double>& values) {
 
 void Writer::expression(const Key& key, std::string& value) { text(key, value); }
 
-void Writer::choice(const Key& key, std::string& value, const Choices&) { entry(key.name, value); }
+void Writer::choice(const Key& key, std::string& value, const Choices&) {
+  if (!value.empty()) entry(key.name, value);
+}
 
 void Writer::variant(const Key& key, std::string& value, const Choices& choices,
                      const std::function<void(const std::string&)>& rest) {
@@ -75,6 +77,7 @@ void Writer::expressions(const Key& key, std::vector<std::string>& values) {
 }
 
 void Writer::words(const Key& key, std::vector<std::string>& values, const Choices&) {
+  if (values.empty()) return;
   out_ << YAML::Key << key.name << YAML::Value << YAML::Flow << YAML::BeginSeq;
   for (const std::string& value : values) out_ << value;
   out_ << YAML::EndSeq;

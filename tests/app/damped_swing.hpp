@@ -40,7 +40,7 @@ class DampedSwing final : public Model {
 
   /// Shorter where the particles are faster, down to nothing at all with `collapse`.
   double longest_step(double, double courant) override {
-    return courant / (1 + 10 * fastest()) - collapse_ * fastest();
+    return 0.25 * courant / (1 + 10 * fastest()) - collapse_ * fastest();
   }
   void start_afresh() override { current_ = false; }
   std::vector<Reading> readings() const override { return {{"fastest", fastest()}}; }

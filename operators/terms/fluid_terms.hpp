@@ -1,0 +1,116 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "mote/neighbours/neighbours.hpp"
+#include "mote/operators/terms/pair_lines.hpp"
+
+namespace mote {
+
+/// How the pair terms of a fluid are weighted; a coefficient of 0 leaves its term out.
+template <int D>
+struct FluidCoefficients {
+  double mass = 0;         ///< of every particle
+  bool continuity = true;  ///< whether the density follows from pairs
+  bool pressure = true;    ///< whether pressure acts between pairs
+  double diffusion = 0;    ///< delta h c of the density diffusion [length^2/time]
+  Vec<D> density_at_rest =
+      Vec<D>::Zero();               ///< gradient of the density at rest, which does not diffuse
+  double artificial_viscosity = 0;  ///< alpha h c rho0 [mass/(length^(D-2) length time)]
+  double viscosity = 0;             ///< dynamic viscosity mu
+};
+
+/// Rates of the receivers by pair terms. Particles that are marked as idle have none.
+template <int D>
+struct FluidRates {
+  std::span<double> acceleration;  ///< D numbers a receiver
+  std::span<double> density_rate;
+};
+
+/// What a pass over all pairs found beside the rates.
+struct FluidPass {
+  std::int64_t pairs = 0;  ///< within the support
+  double dissipation = 0;  ///< power lost to viscosity [energy/time]
+};
+
+/// What a wall particle sees of the fluid, sums over its fluid neighbours with weights V_j W.
+template <int D>
+struct FluidSeen {
+  double weight = 0;                 ///< sum of V_j W
+  double pressure = 0;               ///< weighted mean
+  Vec<D> offset = Vec<D>::Zero();    ///< sum of m W (x - x_j), over the weight
+  Vec<D> velocity = Vec<D>::Zero();  ///< weighted mean
+  Vec<D> shear = Vec<D>::Zero();     ///< slope of the velocity against distance from the surface
+};
+
+/// A wall particle's view: the plane of the wall's surface, and the velocity there.
+template <int D>
+struct Surface {
+  double depth = 0;
+  Vec<D> normal = Vec<D>::Zero();
+  Vec<D> velocity = Vec<D>::Zero();
+};
+
+/// How regularly a particle's neighbours lie around it, and how the fluid varies there.
+template <int D>
+struct FluidSpread {
+  Mat<D> moment = Mat<D>::Zero();    ///< -sum V_j F x x^T: the unit matrix well inside a fluid
+  Vec<D> crowding = Vec<D>::Zero();  ///< sum V_j (1 + pairing) grad W: points to where they crowd
+  Mat<D> velocity = Mat<D>::Zero();  ///< sum V_j (u_j - u_i) (grad W)^T
+  Vec<D> density = Vec<D>::Zero();   ///< sum V_j (rho_j - rho_i) grad W
+};
+
+/// Pair terms in any dimension.
+class AnyFluidTerms {
+ public:
+  virtual ~AnyFluidTerms() = default;
+};
+
+/// The pair terms of a weakly compressible fluid in one pass, with F_ij = W'(r)/r < 0, V = m/rho,
+/// x = x_i - x_j, u = u_i - u_j, for receivers i (Monaghan 1994; Colagrossi & Landrini 2003;
+/// Molteni & Colagrossi 2009; Morris, Fox & Zhu 1997; Fourtakas et al. 2019):
+///   D rho/Dt = rho_i sum V_j u.x F  -  2 delta h c sum V_j (rho_j - rho_i + x.grad rho_rest) F,
+///   rho_i Du/Dt = sum V_j F [ -(p_i + p_j) x + alpha h c rho0 min(u.x, 0)/(r^2 + 0.01 h^2) x
+///                             + 2 mu u ].
+/// Forces of a pair are opposite to the last bit but the division by rho_i, so momentum is kept.
+/// All particles have the same mass m, so V_j (rho_j - rho_i) = m - rho_i V_j needs no division.
+template <int D>
+class FluidTerms : public AnyFluidTerms {
+ public:
+  /// Support of the kernel in smoothing lengths.
+  virtual double support() const = 0;
+
+  /// Rates of all receivers that are not idle. `lines` are those of all points, `lists` the
+  /// neighbours of the receivers.
+  virtual FluidPass add_up(std::span<const PairLine<D>> lines, const NeighbourLists& lists,
+                           std::span<const std::uint8_t> idle, double smoothing_length,
+                           const FluidCoefficients<D>& coefficients,
+                           const FluidRates<D>& rates) const = 0;
+
+  /// Density by summation, sum m W_ij with the particle itself, of receiver i.
+  virtual double density(std::span<const PairLine<D>> lines, Index i,
+                         std::span<const Index> neighbours, double smoothing_length,
+                         double mass) const = 0;
+
+  /// What wall particle i sees of its fluid neighbours.
+  virtual FluidSeen<D> seen(std::span<const PairLine<D>> lines, Index i,
+                            std::span<const Index> neighbours, double smoothing_length, double mass,
+                            const Surface<D>& surface) const = 0;
+
+  /// sum V_j (a_i + a_j).(x_j - x_i) F_ij of receiver i for one vector a a point.
+  virtual double linear_diffusion(std::span<const PairLine<D>> lines, Index i,
+                                  std::span<const Index> neighbours, double smoothing_length,
+                                  std::span<const Vec<D>> slopes) const = 0;
+
+  /// How the neighbours of receiver i lie; `pairing` is W at one spacing, against which pairs that
+  /// come closer count more.
+  virtual FluidSpread<D> spread(std::span<const PairLine<D>> lines, Index i,
+                                std::span<const Index> neighbours, double smoothing_length,
+                                double mass, double spacing) const = 0;
+};
+
+}  // namespace mote

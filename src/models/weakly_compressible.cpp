@@ -1,0 +1,371 @@
+#include "mote/models/weakly_compressible.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mote/particles/failure.hpp"
+
+namespace mote {
+namespace {
+
+EquationOfState state_of(const WeaklyCompressibleOptions& options) {
+  const bool tait = options.equation_of_state == StateEquation::tait;
+  return {options.density, options.sound_speed, tait ? options.exponent : 1,
+          options.background_pressure};
+}
+
+template <class Wanted, class Given>
+std::unique_ptr<Wanted> as(std::unique_ptr<Given> given) {
+  auto* wanted = dynamic_cast<Wanted*>(given.release());
+  return std::unique_ptr<Wanted>(wanted);
+}
+
+/// Largest of the values that `of(i)` has. The order of comparisons does not matter, so the loop
+/// may be shared in any way.
+template <class Of>
+double largest(Index count, Of of) {
+  double most = 0;
+#pragma omp parallel for schedule(static) reduction(max : most) if (parallel_from <= count)
+  for (Index i = 0; i < count; ++i) most = std::max(most, of(i));
+  return most;
+}
+
+}  // namespace
+
+template <int D>
+WeaklyCompressible<D>::WeaklyCompressible(const WeaklyCompressibleOptions& options,
+                                          SpaceSetup setup)
+    : options_(options),
+      start_(std::move(setup)),
+      state_(state_of(options)),
+      terms_(as<FluidTerms<D>>(std::move(start_.terms))),
+      operator_(as<DifferentialOperator<D>>(std::move(start_.differential_operator))),
+      smoothing_length_(start_.smoothing_length * start_.spacing),
+      reach_(std::max(terms_->support() * smoothing_length_,
+                      operator_->neighbour_rule().reach() * start_.spacing)),
+      mass_(options.density * std::pow(start_.spacing, D)),
+      cloud_(D, static_cast<Index>(start_.body.size())),
+      neighbours_(start_, start_.search, reach_) {
+  refuse_what_does_not_go_together();
+  choose_coefficients();
+  fill_cloud();
+  name_parts();
+}
+
+template <int D>
+void WeaklyCompressible<D>::refuse_what_does_not_go_together() const {
+  if (!options_.gravity.empty() && options_.gravity.size() != D)
+    throw InputError("model.gravity",
+                     fmt::format("'gravity' needs {} numbers, one a dimension, and has {}", D,
+                                 options_.gravity.size()));
+  if (!options_.force.empty() && options_.force.size() != D)
+    throw InputError("model.force",
+                     fmt::format("'force' needs {} formulas, one a dimension, and has {}", D,
+                                 options_.force.size()));
+  const bool has_viscosity =
+      options_.viscosity == Viscosity::morris || options_.viscosity == Viscosity::by_operator;
+  if (has_viscosity && options_.kinematic_viscosity == 0)
+    throw InputError("model.viscosity", "this viscosity needs 'kinematic', and it is 0");
+  if (!has_viscosity && options_.kinematic_viscosity > 0)
+    throw InputError("model.viscosity",
+                     "'kinematic' belongs to the viscosities morris and operator");
+}
+
+template <int D>
+void WeaklyCompressible<D>::choose_coefficients() {
+  const double h = smoothing_length_, c = state_.sound_speed;
+  coefficients_.mass = mass_;
+  coefficients_.continuity = options_.density_form == FluidDensity::continuity &&
+                             options_.divergence == Derivatives::pairs;
+  coefficients_.pressure = options_.pressure == Derivatives::pairs;
+  if (options_.diffusion != DensityDiffusion::none &&
+      options_.density_form == FluidDensity::continuity)
+    coefficients_.diffusion = options_.diffusion_strength * h * c;
+  if (options_.diffusion == DensityDiffusion::fourtakas)
+    coefficients_.density_at_rest = state_.density / (c * c) * gravity();
+  if (options_.viscosity == Viscosity::artificial)
+    coefficients_.artificial_viscosity = options_.alpha * h * c * state_.density;
+  if (options_.viscosity == Viscosity::morris)
+    coefficients_.viscosity = state_.density * options_.kinematic_viscosity;
+}
+
+template <int D>
+Vec<D> WeaklyCompressible<D>::gravity() const {
+  if (options_.gravity.empty()) return Vec<D>::Zero();
+  return Vec<D>::Map(options_.gravity.data());
+}
+
+template <int D>
+void WeaklyCompressible<D>::fill_cloud() {
+  position_ = cloud_.position();
+  velocity_ = cloud_.add("velocity", FieldKind::vector, "m/s");
+  density_ = cloud_.add("density", FieldKind::scalar, "kg/m3");
+  pressure_ = cloud_.add("pressure", FieldKind::scalar, "Pa");
+  body_ = cloud_.add("body", FieldKind::scalar, "");
+  id_ = cloud_.add("id", FieldKind::scalar, "");
+  if (options_.free_surface) cloud_.add("surface", FieldKind::scalar, "");
+  std::ranges::copy(start_.position, position_.begin());
+  for (Index i = 0; i < cloud_.count(); ++i) {
+    body_[i] = start_.body[static_cast<std::size_t>(i)];
+    id_[i] = i;
+    if (body_of(i).kind == BodyKind::fluid) ++fluids_;
+    start_particle(i);
+  }
+  start_.position = {};
+  start_.body = {};
+}
+
+template <int D>
+void WeaklyCompressible<D>::start_particle(Index i) {
+  const std::size_t first = static_cast<std::size_t>(i) * D;
+  Triple place{};
+  std::copy_n(position_.begin() + static_cast<std::ptrdiff_t>(first), D, place.begin());
+  const bool fluid = body_of(i).kind == BodyKind::fluid;
+  pressure_[i] =
+      fluid || options_.walls == WallForm::dynamic ? start_.initial("pressure", place) : 0;
+  density_[i] = state_.density_at(pressure_[i]);
+  if (!(density_[i] > 0))
+    throw InputError(
+        "initial.pressure",
+        fmt::format("no density has the pressure {:.6g} at x = {:.6g}", pressure_[i], place[0]));
+  if (!fluid) return;
+  for (std::size_t d = 0; d < D; ++d)
+    velocity_[first + d] = start_.initial(std::string("velocity_") + axis_names[d], place);
+}
+
+/// Names what the integrator moves. To be called whenever the number of particles has changed.
+template <int D>
+void WeaklyCompressible<D>::name_parts() {
+  position_ = cloud_.position();
+  velocity_ = cloud_.values("velocity");
+  density_ = cloud_.values("density");
+  pressure_ = cloud_.values("pressure");
+  body_ = cloud_.values("body");
+  id_ = cloud_.values("id");
+  if (options_.free_surface) surface_ = cloud_.values("surface");
+  const auto count = static_cast<std::size_t>(cloud_.count());
+  acceleration_.resize(count * D);
+  density_rate_.resize(count);
+  idle_.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+    idle_[i] = body_of(static_cast<Index>(i)).kind == BodyKind::wall;
+  drifted_ = {{position_, velocity_}};
+  kicked_ = {{velocity_, acceleration_}};
+  if (options_.density_form == FluidDensity::continuity)
+    kicked_.push_back({density_, density_rate_});
+}
+
+template <int D>
+const Body& WeaklyCompressible<D>::body_of(Index i) const {
+  return start_.bodies[static_cast<std::size_t>(body_[i])];
+}
+
+template <int D>
+const WallPlace& WeaklyCompressible<D>::place_of(Index i) const {
+  return start_.wall_places[static_cast<std::size_t>(id_[i]) - static_cast<std::size_t>(fluids_)];
+}
+
+template <int D>
+void WeaklyCompressible<D>::prepare(double) {
+  rates_are_current_ = false;
+}
+
+template <int D>
+void WeaklyCompressible<D>::start_afresh() {
+  lists_are_current_ = rates_are_current_ = false;
+}
+
+template <int D>
+void WeaklyCompressible<D>::restore(const Cloud& state) {
+  for (const Field& field : cloud_.fields())
+    if (!state.has(field.name) || state.count() > cloud_.count())
+      throw InputError("this snapshot lacks particles or the field " + field.name);
+  cloud_ = state;
+  name_parts();
+  course_.removed = 0;
+  start_afresh();
+}
+
+template <int D>
+void WeaklyCompressible<D>::begin_step(double time, double step) {
+  now_ = time;
+  move_walls(time);
+  const double travel = step * (highest_speed_ + step * highest_acceleration_);
+  if (!lists_are_current_ || moved_ + 1.1 * travel > skin_ / 2) rebuild(time, travel);
+  ++course_.steps;
+}
+
+/// Puts the particles in their order in space and finds their neighbours anew.
+template <int D>
+void WeaklyCompressible<D>::rebuild(double time, double travel) {
+  neighbours_.wrap(position_);
+  remove_what_left(time);
+  rearrange(neighbours_.order(position_, id_, reach_));
+  skin_ = skin_for(travel);
+  find_neighbours();
+}
+
+/// How far the rows should reach beyond the kernel: a longer reach lasts for more steps and costs
+/// more in each. The best is where both costs grow alike, (skin/reach)^2 = 2 R travel/(D reach),
+/// with rows costing about R = 1.5 passes.
+template <int D>
+double WeaklyCompressible<D>::skin_for(double travel) const {
+  if (start_.skin) return *start_.skin * reach_;
+  const double best = std::sqrt(3 * travel / (D * reach_));
+  return reach_ * std::clamp(best, 0.02, 0.1);
+}
+
+template <int D>
+void WeaklyCompressible<D>::find_neighbours() {
+  neighbours_.find(position_, idle_, reach_ + skin_);
+  const auto count = static_cast<std::size_t>(cloud_.count());
+  lines_.resize(count + neighbours_.images().size());
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t d = 0; d < D; ++d) lines_[i].value[Line::position + d] = position_[i * D + d];
+  moved_ = 0;
+  lists_are_current_ = true;
+  ++course_.rebuilds;
+}
+
+template <int D>
+void WeaklyCompressible<D>::rearrange(std::span<const Index> order) {
+  cloud_.rearrange(order);
+  std::vector<double> kept(acceleration_.size());
+  kept.swap(acceleration_);
+  acceleration_.resize(order.size() * D);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    std::copy_n(kept.begin() + std::ptrdiff_t{order[k]} * D, D,
+                acceleration_.begin() + static_cast<std::ptrdiff_t>(k) * D);
+  kept.resize(density_rate_.size());
+  kept.swap(density_rate_);
+  density_rate_.resize(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    density_rate_[k] = kept[static_cast<std::size_t>(order[k])];
+  name_parts();
+}
+
+/// Takes fluid out that is further outside the domain than a wall is thick.
+template <int D>
+void WeaklyCompressible<D>::remove_what_left(double time) {
+  order_.clear();
+  for (Index i = 0; i < cloud_.count(); ++i) {
+    const std::string side = is_wall(i) ? "" : side_left(i);
+    if (side.empty()) {
+      order_.push_back(i);
+      continue;
+    }
+    if (course_.removed++ == 0) course_.first_removed = describe_removed(i, side, time);
+  }
+  if (static_cast<Index>(order_.size()) < cloud_.count()) rearrange(order_);
+}
+
+/// The side by which a particle has left the domain; empty if it has not.
+template <int D>
+std::string WeaklyCompressible<D>::side_left(Index i) const {
+  for (std::size_t d = 0; d < D; ++d) {
+    const double x = position_[static_cast<std::size_t>(i) * D + d];
+    if (x < start_.lower[d] - reach_) return std::string(axis_names[d]) + "_lower";
+    if (x > start_.upper[d] + reach_) return std::string(axis_names[d]) + "_upper";
+  }
+  return "";
+}
+
+template <int D>
+std::string WeaklyCompressible<D>::describe_removed(Index i, const std::string& side,
+                                                    double time) const {
+  std::string place;
+  for (std::size_t d = 0; d < D; ++d)
+    place +=
+        fmt::format("{}{:.6g}", d > 0 ? ", " : "", position_[static_cast<std::size_t>(i) * D + d]);
+  return fmt::format("particle {} at ({}) through {}, t = {:.6g}", id_[i], place, side, time);
+}
+
+template <int D>
+void WeaklyCompressible<D>::update_rates_ahead(double time, double ahead) {
+  if (!lists_are_current_) rebuild(time, 0);
+  observe_walls(time);
+  write_fluid_lines(ahead);
+  if (moved_ > skin_ / 2) {
+    find_neighbours();
+    write_fluid_lines(ahead);
+  }
+  write_image_lines();
+  if (options_.density_form == FluidDensity::summation) sum_densities();
+  if (options_.walls == WallForm::extrapolated) write_wall_lines();
+  const FluidPass pass = terms_->add_up(lines_, neighbours_.lists(), idle_, smoothing_length_,
+                                        coefficients_, {acceleration_, density_rate_});
+  dissipation_ = pass.dissipation;
+  work_.pairs += pass.pairs;
+  work_.evaluations += 1;
+  work_.mean_neighbours = static_cast<double>(pass.pairs) / std::max<Index>(1, cloud_.count());
+  add_operator_terms();
+  add_density_correction();
+  add_body_forces(time);
+  note_extremes(time);
+  rates_are_current_ = true;
+}
+
+/// Fastest fluid particle, and strongest acceleration.
+template <int D>
+void WeaklyCompressible<D>::note_extremes(double time) {
+  const auto norm = [&](std::span<const double> values, Index i) {
+    return Vec<D>::Map(values.data() + std::ptrdiff_t{i} * D).squaredNorm();
+  };
+  highest_speed_ = std::sqrt(largest(cloud_.count(), [&](Index i) { return norm(velocity_, i); }));
+  highest_acceleration_ =
+      std::sqrt(largest(cloud_.count(), [&](Index i) { return norm(acceleration_, i); }));
+  if (highest_speed_ > course_.fastest) {
+    course_.fastest = highest_speed_;
+    course_.fastest_at = time;
+  }
+}
+
+template <int D>
+double WeaklyCompressible<D>::longest_step(double time, double courant) {
+  if (!rates_are_current_) {
+    prepare(time);
+    update_rates_ahead(time, 0);
+  }
+  const double h = smoothing_length_;
+  double step = courant * h / (state_.sound_speed + highest_speed_);
+  if (highest_acceleration_ > 0)
+    step = std::min(step, courant * std::sqrt(h / highest_acceleration_));
+  if (options_.kinematic_viscosity > 0)
+    step = std::min(step, 0.125 * h * h / options_.kinematic_viscosity);
+  return step;
+}
+
+template <int D>
+void WeaklyCompressible<D>::end_step(double time, double step) {
+  now_ = time + step;
+  course_.dissipated += dissipation_ * step;
+  if (options_.shifting > 0) shift_particles(time + step, step);
+}
+
+template <int D>
+void WeaklyCompressible<D>::inspect() const {
+  const Index count = cloud_.count();
+  Index first = count;
+#pragma omp parallel for schedule(static) reduction(min : first) if (parallel_from <= count)
+  for (Index i = 0; i < count; ++i)
+    if (!(density_[i] > 0.1 * state_.density && density_[i] < 10 * state_.density &&
+          std::isfinite(position_[static_cast<std::size_t>(i) * D])))
+      first = std::min(first, i);
+  if (first == count) return;
+  throw NumericalFailure(
+      fmt::format("particle {} has the density {:.6g}, {:.3g} times that at rest", id_[first],
+                  density_[first], density_[first] / state_.density),
+      {first},
+      fmt::format("the step is too long or the sound speed {:.4g} too low: the fastest particle "
+                  "had {:.4g}",
+                  state_.sound_speed, course_.fastest));
+}
+
+template class WeaklyCompressible<2>;
+template class WeaklyCompressible<3>;
+
+}  // namespace mote

@@ -1,0 +1,165 @@
+#include <algorithm>
+#include <cmath>
+
+#include "mote/models/weakly_compressible.hpp"
+
+namespace mote {
+
+/// Writes the fluid's lines, every velocity and density carried on by `ahead` times its rate, and
+/// the places of all, and adds how far the particles went since the last time to how far they have
+/// gone. Walls that are dynamic are treated like fluid.
+template <int D>
+void WeaklyCompressible<D>::write_fluid_lines(double ahead) {
+  const bool carried = options_.density_form == FluidDensity::continuity;
+  const bool extrapolated = options_.walls == WallForm::extrapolated;
+  double furthest = 0;
+#pragma omp parallel for schedule(static) \
+    reduction(max                         \
+              : furthest) if (parallel_from <= cloud_.count())
+  for (Index i = 0; i < cloud_.count(); ++i) {
+    Line& line = lines_[static_cast<std::size_t>(i)];
+    double squared = 0;
+    for (std::size_t d = 0; d < D; ++d) {
+      const std::size_t k = static_cast<std::size_t>(i) * D + d;
+      const double moved = position_[k] - line.value[Line::position + d];
+      squared += moved * moved;
+      line.value[Line::position + d] = position_[k];
+      line.value[Line::velocity + d] = velocity_[k] + ahead * acceleration_[k];
+    }
+    furthest = std::max(furthest, squared);
+    if (is_wall(i) && extrapolated) continue;
+    if (is_wall(i)) {
+      const Triple& velocity = motion_of(i).velocity;
+      for (std::size_t d = 0; d < D; ++d) line.value[Line::velocity + d] = velocity[d];
+    }
+    const double density = density_[i] + (carried ? ahead * density_rate_[i] : 0);
+    line.value[Line::volume] = mass_ / density;
+    line.value[Line::pressure] = state_.pressure(density);
+  }
+  moved_ += std::sqrt(furthest);
+}
+
+template <int D>
+void WeaklyCompressible<D>::write_image_lines() {
+  const auto images = neighbours_.images();
+  const auto count = static_cast<std::size_t>(cloud_.count());
+#pragma omp parallel for schedule(static) if (parallel_from <= static_cast <Index>(images.size()))
+  for (std::size_t k = 0; k < images.size(); ++k) {
+    Line line = lines_[static_cast<std::size_t>(images[k].owner)];
+    for (std::size_t d = 0; d < D; ++d)
+      line.value[Line::position + d] += images[k].shift[static_cast<Eigen::Index>(d)];
+    lines_[count + k] = line;
+  }
+}
+
+/// Density of the fluid as the sum of the masses around.
+template <int D>
+void WeaklyCompressible<D>::sum_densities() {
+  const auto& lists = neighbours_.lists();
+#pragma omp parallel for schedule(static) if (parallel_from <= cloud_.count())
+  for (Index i = 0; i < cloud_.count(); ++i)
+    if (!is_wall(i)) density_[i] = terms_->density(lines_, i, lists[i], smoothing_length_, mass_);
+#pragma omp parallel for schedule(static) if (parallel_from <= cloud_.count())
+  for (Index i = 0; i < cloud_.count(); ++i) {
+    if (is_wall(i)) continue;
+    Line& line = lines_[static_cast<std::size_t>(i)];
+    line.value[Line::volume] = mass_ / density_[i];
+    line.value[Line::pressure] = state_.pressure(density_[i]);
+  }
+  write_image_lines();
+}
+
+/// How the walls move now; their accelerations by central differences.
+template <int D>
+void WeaklyCompressible<D>::observe_walls(double time) {
+  const double half = 1e-4 * smoothing_length_ / state_.sound_speed;
+  motions_.assign(start_.bodies.size(), {});
+  for (std::size_t k = 0; k < motions_.size(); ++k) {
+    const auto& velocity = start_.bodies[k].velocity;
+    if (!velocity) continue;
+    motions_[k].velocity = velocity(time);
+    const Triple before = velocity(time - half), after = velocity(time + half);
+    for (std::size_t d = 0; d < D; ++d)
+      motions_[k].acceleration[d] = (after[d] - before[d]) / (2 * half);
+  }
+}
+
+template <int D>
+void WeaklyCompressible<D>::write_wall_lines() {
+#pragma omp parallel for schedule(dynamic, 256) if (parallel_from <= cloud_.count())
+  for (Index i = 0; i < cloud_.count(); ++i)
+    if (is_wall(i)) extrapolate_to(i);
+  write_image_lines();
+}
+
+/// The line of a wall particle: the fluid as it goes on into the wall.
+template <int D>
+void WeaklyCompressible<D>::extrapolate_to(Index i) {
+  Line& line = lines_[static_cast<std::size_t>(i)];
+  const Body& body = body_of(i);
+  const WallPlace& place = place_of(i);
+  const WallMotion& motion = motion_of(i);
+  const Surface<D> surface{place.depth, Vec<D>::Map(place.normal.data()),
+                           Vec<D>::Map(motion.velocity.data())};
+  const FluidSeen<D> seen =
+      terms_->seen(lines_, i, neighbours_.lists()[i], smoothing_length_, mass_, surface);
+  Vec<D> ghost = surface.velocity - surface.depth * seen.shear;
+  double pressure = options_.background_pressure;
+  if (seen.weight > 0) {
+    pressure =
+        seen.pressure + (gravity() - Vec<D>::Map(motion.acceleration.data())).dot(seen.offset);
+    if (body.slips) {
+      const Vec<D>& n = surface.normal;
+      ghost = seen.velocity + (ghost - seen.velocity).dot(n) * n;
+    }
+  }
+  Vec<D>::Map(line.value.data() + Line::velocity) = ghost;
+  line.value[Line::pressure] = pressure;
+  line.value[Line::volume] = mass_ / state_.density_at(pressure);
+}
+
+/// Gives walls that travel the velocity they are to have now.
+template <int D>
+void WeaklyCompressible<D>::move_walls(double time) {
+  observe_walls(time);
+  const bool any = std::ranges::any_of(
+      start_.bodies, [](const Body& body) { return body.velocity && body.travels; });
+  if (!any) return;
+  for (Index i = 0; i < cloud_.count(); ++i)
+    if (is_wall(i) && body_of(i).travels)
+      std::copy_n(motion_of(i).velocity.begin(), D, velocity_.begin() + std::ptrdiff_t{i} * D);
+}
+
+template <int D>
+void WeaklyCompressible<D>::add_body_forces(double time) {
+  const Vec<D> gravity = this->gravity();
+  const bool forced = !options_.force.empty();
+#pragma omp parallel for schedule(static) if (parallel_from <= cloud_.count())
+  for (Index i = 0; i < cloud_.count(); ++i) {
+    auto acceleration = Vec<D>::Map(acceleration_.data() + std::ptrdiff_t{i} * D);
+    if (is_wall(i)) {
+      acceleration.setZero();
+      if (body_of(i).travels) acceleration = Vec<D>::Map(motion_of(i).acceleration.data());
+      if (options_.walls == WallForm::extrapolated) density_rate_[i] = 0;
+    } else {
+      acceleration += gravity;
+      if (forced) acceleration += force_at(i, time);
+    }
+  }
+}
+
+template <int D>
+Vec<D> WeaklyCompressible<D>::force_at(Index i, double time) const {
+  Triple place{};
+  std::copy_n(position_.begin() + std::ptrdiff_t{i} * D, D, place.begin());
+  const auto& formulas = forces_[static_cast<std::size_t>(omp_get_thread_num())];
+  Vec<D> force;
+  for (std::size_t d = 0; d < D; ++d)
+    force[static_cast<Eigen::Index>(d)] = formulas[d](place, time);
+  return force;
+}
+
+template class WeaklyCompressible<2>;
+template class WeaklyCompressible<3>;
+
+}  // namespace mote

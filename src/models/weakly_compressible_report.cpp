@@ -1,0 +1,144 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mote/models/weakly_compressible.hpp"
+
+namespace mote {
+namespace {
+
+/// Sum of what `of(i)` gives, in fixed blocks, so that it does not depend on the threads.
+template <class Of>
+double sum_over(Index count, Of of) {
+  constexpr Index block_size = 1024;
+  const Index blocks = (count + block_size - 1) / block_size;
+  std::vector<double> sums(static_cast<std::size_t>(blocks));
+#pragma omp parallel for schedule(static) if (parallel_from <= count)
+  for (Index block = 0; block < blocks; ++block) {
+    double sum = 0;
+    for (Index i = block * block_size; i < std::min(count, (block + 1) * block_size); ++i)
+      sum += of(i);
+    sums[static_cast<std::size_t>(block)] = sum;
+  }
+  double total = 0;
+  for (const double sum : sums) total += sum;
+  return total;
+}
+
+}  // namespace
+
+template <int D>
+typename WeaklyCompressible<D>::Energy WeaklyCompressible<D>::energy() const {
+  const Vec<D> gravity = this->gravity();
+  const auto vector = [](std::span<const double> values, Index i) {
+    return Vec<D>::Map(values.data() + std::ptrdiff_t{i} * D);
+  };
+  const auto of_fluid = [&](auto term) {
+    return mass_ * sum_over(cloud_.count(), [&](Index i) { return is_wall(i) ? 0.0 : term(i); });
+  };
+  Energy energy;
+  energy.kinetic = of_fluid([&](Index i) { return 0.5 * vector(velocity_, i).squaredNorm(); });
+  energy.potential = of_fluid([&](Index i) { return -gravity.dot(vector(position_, i)); });
+  energy.compression = of_fluid([&](Index i) { return state_.energy(density_[i]); });
+  return energy;
+}
+
+template <int D>
+std::vector<Conserved> WeaklyCompressible<D>::conserved() const {
+  const auto fluid = [&](auto term) {
+    return mass_ * sum_over(cloud_.count(), [&](Index i) { return is_wall(i) ? 0.0 : term(i); });
+  };
+  const double mass = fluid([](Index) { return 1.0; });
+  std::vector<Conserved> quantities{{"mass", mass, mass}};
+  double speed =
+      fluid([&](Index i) { return Vec<D>::Map(velocity_.data() + std::ptrdiff_t{i} * D).norm(); });
+  if (speed == 0) speed = mass * state_.sound_speed;
+  for (std::size_t d = 0; d < D; ++d)
+    quantities.push_back(
+        {std::string("momentum_") + axis_names[d],
+         fluid([&](Index i) { return velocity_[static_cast<std::size_t>(i) * D + d]; }), speed});
+  const Energy parts = energy();
+  quantities.push_back({"energy", parts.total(),
+                        std::abs(parts.kinetic) + std::abs(parts.potential) + parts.compression});
+  return quantities;
+}
+
+template <int D>
+std::vector<Reading> WeaklyCompressible<D>::readings() const {
+  const Energy parts = energy();
+  return {
+      {"kinetic_energy", parts.kinetic},
+      {"potential_energy", parts.potential},
+      {"compression_energy", parts.compression},
+      {"viscous_power", dissipation_},
+      {"highest_speed", highest_speed_},
+      {"removed", static_cast<double>(fluids_ - static_cast<Index>(std::ranges::count(idle_, 0)))}};
+}
+
+template <int D>
+std::vector<std::string> WeaklyCompressible<D>::warnings() const {
+  std::vector<std::string> warnings;
+  if (course_.fastest > 0.1 * state_.sound_speed * (1 + 1e-3))
+    warnings.push_back(fmt::format(
+        "the sound speed {:.4g} is less than ten times the highest speed, {:.4g} at t = {:.4g}: "
+        "the fluid is compressed by more than 1 %",
+        state_.sound_speed, course_.fastest, course_.fastest_at));
+  if (course_.removed > 0)
+    warnings.push_back(fmt::format("{} particle{} left the domain and {} removed, first {}",
+                                   course_.removed, course_.removed == 1 ? "" : "s",
+                                   course_.removed == 1 ? "was" : "were", course_.first_removed));
+  return warnings;
+}
+
+template <int D>
+std::vector<std::string> WeaklyCompressible<D>::remarks() const {
+  const Energy now = energy();
+  return {fmt::format("{} fluid and {} wall particles, smoothing length {:.4g} ({:.3g} spacings), "
+                      "neighbours found anew {} times in {} steps.",
+                      std::ranges::count(idle_, 0), std::ranges::count(idle_, 1), smoothing_length_,
+                      smoothing_length_ / start_.spacing, course_.rebuilds, course_.steps),
+          fmt::format("Energy at the end: kinetic {:.6g}, potential {:.6g}, of compression {:.6g}; "
+                      "viscosity took {:.6g}.",
+                      now.kinetic, now.potential, now.compression, course_.dissipated)};
+}
+
+template <int D>
+Parameters WeaklyCompressible<D>::parameters() const {
+  Parameters parameters{{"density", state_.density},
+                        {"sound_speed", state_.sound_speed},
+                        {"viscosity", options_.kinematic_viscosity},
+                        {"spacing", start_.spacing}};
+  for (std::size_t d = 0; d < D; ++d) {
+    const std::string axis = axis_names[d];
+    parameters["gravity_" + axis] = gravity()[static_cast<Eigen::Index>(d)];
+    parameters["lower_" + axis] = start_.lower[d];
+    parameters["upper_" + axis] = start_.upper[d];
+    parameters["periodic_" + axis] = start_.periodic[d] ? 1 : 0;
+  }
+  return parameters;
+}
+
+/// The pair forces on the wall's particles, as they act on the fluid with the opposite sign.
+template <int D>
+Triple WeaklyCompressible<D>::force_on(std::size_t body) const {
+  std::vector<std::uint8_t> others(idle_.size());
+  for (std::size_t i = 0; i < others.size(); ++i)
+    others[i] = static_cast<std::size_t>(body_[i]) != body;
+  std::vector<double> acceleration(acceleration_.size()), rate(density_rate_.size());
+  FluidCoefficients<D> coefficients = coefficients_;
+  coefficients.pressure = true;
+  coefficients.viscosity = state_.density * options_.kinematic_viscosity;
+  terms_->add_up(lines_, neighbours_.lists(), others, smoothing_length_, coefficients,
+                 {acceleration, rate});
+  Triple force{};
+  for (std::size_t i = 0; i < others.size(); ++i)
+    for (std::size_t d = 0; d < D && others[i] == 0; ++d)
+      force[d] += mass_ * acceleration[i * D + d];
+  return force;
+}
+
+template class WeaklyCompressible<2>;
+template class WeaklyCompressible<3>;
+
+}  // namespace mote

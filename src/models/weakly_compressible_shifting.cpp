@@ -1,0 +1,105 @@
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "mote/models/weakly_compressible.hpp"
+
+namespace mote {
+namespace {
+
+/// Below this the smallest eigenvalue of the moment of a particle's neighbours tells that it is
+/// near a free surface, or at one (Marrone et al. 2010).
+constexpr double near_surface = 0.75, at_surface = 0.2;
+
+template <int D>
+double smallest_eigenvalue(const Mat<D>& moment) {
+  return Eigen::SelfAdjointEigenSolver<Mat<D>>(moment, Eigen::EigenvaluesOnly).eigenvalues()[0];
+}
+
+}  // namespace
+
+template <int D>
+FluidSpread<D> WeaklyCompressible<D>::spread_of(Index i) const {
+  return terms_->spread(lines_, i, neighbours_.lists()[i], smoothing_length_, mass_,
+                        start_.spacing);
+}
+
+/// Brings the lines up to date with the state.
+template <int D>
+void WeaklyCompressible<D>::refresh_lines(double time) {
+  if (!lists_are_current_) {
+    find_neighbours();
+    lists_are_current_ = false;
+  }
+  observe_walls(time);
+  write_fluid_lines(0);
+  write_image_lines();
+  if (options_.walls == WallForm::extrapolated) write_wall_lines();
+}
+
+/// Moves the fluid a little from where its particles crowd to where they are few, which keeps sums
+/// over neighbours good (Sun et al. 2017, (10)):
+///   delta x_i = -4 h U dt sum V_j (1 + 0.2 (W_ij/W(dx))^4) grad W,
+/// no further than a tenth of a spacing, and carries velocity and density along their gradients to
+/// the new places. Particles near a free surface stay where they are.
+template <int D>
+void WeaklyCompressible<D>::shift_particles(double time, double step) {
+  refresh_lines(time);
+  const double strength = options_.shifting * 4 * smoothing_length_ * highest_speed_ * step;
+  const double limit = 0.1 * start_.spacing;
+#pragma omp parallel for schedule(dynamic, 256) if (parallel_from <= cloud_.count())
+  for (Index i = 0; i < cloud_.count(); ++i) {
+    if (is_wall(i)) continue;
+    const FluidSpread<D> spread = spread_of(i);
+    if (options_.free_surface && smallest_eigenvalue<D>(spread.moment) < near_surface) continue;
+    Vec<D> shift = -strength * spread.crowding;
+    if (shift.norm() > limit) shift *= limit / shift.norm();
+    const Mat<D> inverse = spread.moment.inverse();
+    Vec<D>::Map(position_.data() + std::ptrdiff_t{i} * D) += shift;
+    Vec<D>::Map(velocity_.data() + std::ptrdiff_t{i} * D) += spread.velocity * inverse * shift;
+    if (options_.density_form == FluidDensity::continuity)
+      density_[i] += spread.density.dot(inverse * shift);
+  }
+}
+
+/// The part of the density diffusion that leaves linear densities alone (Antuono et al. 2010):
+///   +delta h c sum V_j (<grad rho>_i + <grad rho>_j).(x_j - x_i) F_ij ... 2/2.
+template <int D>
+void WeaklyCompressible<D>::add_density_correction() {
+  if (options_.diffusion != DensityDiffusion::antuono || coefficients_.diffusion == 0) return;
+  slopes_.resize(lines_.size());
+#pragma omp parallel for schedule(dynamic, 256) if (parallel_from <= cloud_.count())
+  for (Index i = 0; i < cloud_.count(); ++i) {
+    slopes_[static_cast<std::size_t>(i)] = Vec<D>::Zero();
+    if (is_wall(i)) continue;
+    const FluidSpread<D> spread = spread_of(i);
+    if (smallest_eigenvalue<D>(spread.moment) > at_surface)
+      slopes_[static_cast<std::size_t>(i)] = spread.moment.inverse() * spread.density;
+  }
+  const auto images = neighbours_.images();
+  for (std::size_t k = 0; k < images.size(); ++k)
+    slopes_[static_cast<std::size_t>(cloud_.count()) + k] =
+        slopes_[static_cast<std::size_t>(images[k].owner)];
+#pragma omp parallel for schedule(dynamic, 256) if (parallel_from <= cloud_.count())
+  for (Index i = 0; i < cloud_.count(); ++i)
+    if (!is_wall(i))
+      density_rate_[static_cast<std::size_t>(i)] +=
+          coefficients_.diffusion *
+          terms_->linear_diffusion(lines_, i, neighbours_.lists()[i], smoothing_length_, slopes_);
+}
+
+/// Pressure everywhere, and where the free surface is.
+template <int D>
+void WeaklyCompressible<D>::complete_fields() {
+  refresh_lines(now_);
+#pragma omp parallel for schedule(dynamic, 256) if (parallel_from <= cloud_.count())
+  for (Index i = 0; i < cloud_.count(); ++i) {
+    pressure_[i] = lines_[static_cast<std::size_t>(i)].value[Line::pressure];
+    if (options_.free_surface)
+      surface_[i] = is_wall(i) ? 0 : smallest_eigenvalue<D>(spread_of(i).moment) < near_surface;
+  }
+}
+
+template class WeaklyCompressible<2>;
+template class WeaklyCompressible<3>;
+
+}  // namespace mote
