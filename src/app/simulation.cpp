@@ -77,23 +77,17 @@ void Simulation::refuse_what_does_not_fit() const {
 void Simulation::build(const Document& document, const Catalogue& catalogue) {
   refuse_operators_that_do_not_fit(scenario_);
   const ModelRecipe& recipe = *scenario_.model;
-  std::optional<SpaceStart> start;
   if (recipe.lives_on_a_line()) {
     const std::string warning = missing_neighbours(scenario_);
     if (!warning.empty()) warn(document.locate("domain.extension"), warning);
     model_ = recipe.make(line_setup(scenario_, catalogue));
   } else {
-    SpaceSetup setup = space_setup(scenario_);
-    start = setup;
-    model_ = recipe.make(std::move(setup));
+    model_ = recipe.make(space_setup(scenario_));
   }
   integrator_ = entry_named(catalogue.integrators, scenario_.time.integrator).make();
   conserved_at_start_ = model_->conserved();
   if (recipe.lives_on_a_line()) limit_step(document);
-  if (start)
-    make_flow(catalogue, *start);
-  else
-    make_exact(catalogue);
+  make_exact(catalogue);
   make_observer();
 }
 
@@ -166,26 +160,9 @@ void Simulation::make_exact(const Catalogue& catalogue) {
                                  against, exact_->valid_until(), scenario_.time.end));
 }
 
-void Simulation::make_flow(const Catalogue& catalogue, const SpaceStart& start) {
-  const std::string& against = scenario_.check.against;
-  if (against == "nothing") return;
-  const auto& solution = entry_named(catalogue.exact_solutions, against);
-  if (!solution.make_flow)
-    throw InputError("check.against",
-                     fmt::format("{} belongs to models on a line, and the model {} lives in space",
-                                 against, scenario_.model_type));
-  exact_ = std::make_unique<FlowReference>(solution.make_flow({start, model_->parameters()}),
-                                           start.dimension);
-}
-
 /// The probes, and the checks of what they and the model tell.
 void Simulation::make_observer() {
-  const auto& domain = scenario_.domain;
-  Triple period{};
-  for (const std::string& word : domain.periodic) {
-    const auto axis = static_cast<std::size_t>(word.front() - 'x');
-    period[axis] = domain.upper[axis] - domain.lower[axis];
-  }
+  const Triple period{};
   if (!scenario_.probes.empty()) observer_.emplace(scenario_.probes, period, *model_);
   std::vector<std::string> columns{"time", "step"};
   for (const Conserved& quantity : conserved_at_start_) columns.push_back(quantity.name);

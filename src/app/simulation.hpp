@@ -64,7 +64,6 @@ class Simulation {
   void limit_step(const Document& document);
   void warn(const std::string& where, const std::string& message);
   void make_exact(const Catalogue& catalogue);
-  void make_flow(const Catalogue& catalogue, const SpaceStart& start);
   void make_observer();
 
   Scenario scenario_;
