@@ -9,6 +9,7 @@
 
 #include "mote/input/point_table.hpp"
 #include "mote/particles/failure.hpp"
+#include "mote/scenario/located_error.hpp"
 #include "mote/scenario/suggestion.hpp"
 
 namespace mote {

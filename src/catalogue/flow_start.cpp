@@ -21,6 +21,8 @@ FlowStart::FlowStart(const FlowSetup& setup, std::string solution)
                 place.begin());
   }
   if (fluid_.empty()) refuse("needs a fluid");
+  // Models that have these have the initial fields of a flow too.
+  for (const char* name : {"density", "viscosity"}) parameter(name);
 }
 
 void FlowStart::refuse(const std::string& problem) const {

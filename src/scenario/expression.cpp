@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "mote/exact/rotating_square_patch.hpp"
+
 namespace mote {
 namespace {
 
@@ -82,6 +84,7 @@ Expression::Expression(const std::string& text, const Constants& constants)
     parser_->DefineVar("t", &variables_->t);
     parser_->DefineConst("pi", std::numbers::pi);
     parser_->DefineFun("clamp", clamp);
+    parser_->DefineFun("square_patch", rotating_square_patch_pressure);
     for (const auto& [name, value] : constants) parser_->DefineConst(name, value);
     parser_->SetExpr(text);
     parser_->Eval();
@@ -106,7 +109,8 @@ bool Expression::uses(const std::string& variable) const {
 }
 
 bool Expression::is_reserved(const std::string& name) {
-  if (name == "clamp" || std::ranges::find(reserved_names, name) != reserved_names.end())
+  if (name == "clamp" || name == "square_patch" ||
+      std::ranges::find(reserved_names, name) != reserved_names.end())
     return true;
   return mu::Parser().GetFunDef().contains(name);
 }

@@ -108,7 +108,7 @@ TEST(SpaceStart, MovesNoFluidOnALattice) {
 
 TEST(SpaceSetup, TakesOperatorAndSearch) {
   Scenario read = scenario();
-  const SpaceSetup setup = space_setup(read);
+  const SpaceSetup setup = space_setup(read, standard_catalogue());
   EXPECT_NE(dynamic_cast<DifferentialOperator<2>*>(setup.differential_operator.get()), nullptr);
   EXPECT_EQ(setup.search, "kd_tree");
   EXPECT_EQ(*setup.skin, 0.1);

@@ -143,6 +143,14 @@ TEST(EllipticalDropStart, IsMeasuredFromItsVelocitiesAndMoments) {
   EXPECT_NEAR(value(*flow, 2, 2, 2, 0), 2 * 25 / 2.0, 0.25);
 }
 
+TEST(FlowStart, RefusesModelsThatAreNoFluid) {
+  PlaneStart plane = channel();
+  plane.parameters = {};
+  for (const auto make : {taylor_green_from, poiseuille_from, couette_from, hydrostatic_from,
+                          standing_wave_from, drop_from})
+    EXPECT_THAT(refusal(make, plane), HasSubstr("needs a model with a density"));
+}
+
 TEST(FlowEntries, AreInTheCatalogue) {
   const Catalogue catalogue = standard_catalogue();
   const ExactEntry& entry = entry_named(catalogue.exact_solutions, "taylor_green");

@@ -28,6 +28,11 @@ TEST(Expression, KnowsPlaceTimePiAndConstants) {
   EXPECT_EQ(value("L*G"), 2);
 }
 
+TEST(Expression, KnowsThePressureOfATurningSquare) {
+  EXPECT_NEAR(value("square_patch(x, 2/L)", {.x = 0.5}), -0.147343, 1e-6);
+  EXPECT_TRUE(Expression::is_reserved("square_patch"));
+}
+
 TEST(Expression, ClampKeepsBetween) {
   EXPECT_EQ(value("clamp(-1, 0, 1)"), 0);
   EXPECT_EQ(value("clamp(0.25, 0, 1)"), 0.25);
