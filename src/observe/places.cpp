@@ -101,7 +101,7 @@ double crossing(const Surroundings<D>& around, Vec<D> place, double full, double
   return 0.5 * (full + empty);
 }
 
-/// Looks down from above the fluid in steps of a quarter of a spacing, which pass no layer of it by.
+/// Looks down from above the fluid in steps of a quarter of a spacing, which miss no layer of it.
 template <int D>
 double surface_above(const Probe& probe, const Triple& period, const Model& model) {
   constexpr double endless = std::numeric_limits<double>::infinity();
