@@ -41,7 +41,7 @@ constexpr bool inside(double q, double support) { return q <= support * rim_tole
 constexpr double cut(double formula, double q, double support) {
   return inside(q, support) ? formula : 0;
 }
-inline Lanes cut(Lanes formula, const Lanes& q, double support) {
+[[gnu::always_inline]] inline Lanes cut(Lanes formula, const Lanes& q, double support) {
   where(q > support * rim_tolerance, formula) = 0;
   return formula;
 }
@@ -49,14 +49,14 @@ inline Lanes cut(Lanes formula, const Lanes& q, double support) {
 /// Eight values of a kernel's function at a time. A kernel that has no formula for lanes is asked
 /// lane by lane.
 template <class K>
-Lanes value_of(const K& kernel, const Lanes& q) {
+[[gnu::always_inline]] inline Lanes value_of(const K& kernel, const Lanes& q) {
   if constexpr (requires { kernel.value(q); })
     return kernel.value(q);
   else
     return Lanes([&](auto lane) { return kernel.value(q[lane]); });
 }
 template <class K>
-Lanes slope_over_q_of(const K& kernel, const Lanes& q) {
+[[gnu::always_inline]] inline Lanes slope_over_q_of(const K& kernel, const Lanes& q) {
   if constexpr (requires { kernel.slope_over_q(q); })
     return kernel.slope_over_q(q);
   else

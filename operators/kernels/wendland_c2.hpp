@@ -25,8 +25,8 @@ struct WendlandC2 {
 
   static constexpr double value(double q) { return value_at(q); }
   static constexpr double slope_over_q(double q) { return slope_over_q_at(q); }
-  static Lanes value(const Lanes& q) { return value_at(q); }
-  static Lanes slope_over_q(const Lanes& q) { return slope_over_q_at(q); }
+  [[gnu::always_inline]] static Lanes value(const Lanes& q) { return value_at(q); }
+  [[gnu::always_inline]] static Lanes slope_over_q(const Lanes& q) { return slope_over_q_at(q); }
   static constexpr double curvature(double q) {
     const double s = q / 2, u = 1 - s;
     if (!inside(q, 2)) return 0;
@@ -37,12 +37,12 @@ struct WendlandC2 {
   static constexpr double scale = norm / power<D>(2.0);
 
   template <class Real>
-  static constexpr Real value_at(const Real& q) {
+  [[gnu::always_inline]] static constexpr Real value_at(const Real& q) {
     const Real s = 0.5 * q, u = 1 - s;
     return cut(scale * (D == 1 ? power<3>(u) * (1 + 3 * s) : power<4>(u) * (1 + 4 * s)), q, 2);
   }
   template <class Real>
-  static constexpr Real slope_over_q_at(const Real& q) {
+  [[gnu::always_inline]] static constexpr Real slope_over_q_at(const Real& q) {
     const Real u = 1 - 0.5 * q;
     return cut(scale / 4 * (D == 1 ? -12 * power<2>(u) : -20 * power<3>(u)), q, 2);
   }

@@ -13,7 +13,8 @@ template <int D, class Kernel>
 struct EightPairs {
   Lanes x[D], squared, q;
 
-  EightPairs(const PairLine<D>& receiver, const LineLanes& lanes, double inverse_length) {
+  [[gnu::always_inline]] EightPairs(const PairLine<D>& receiver, const LineLanes& lanes,
+                                    double inverse_length) {
     for (int d = 0; d < D; ++d)
       x[d] = receiver.value[PairLine<D>::position + d] - lanes[PairLine<D>::position + d];
     squared = x[0] * x[0];
@@ -54,8 +55,8 @@ class FluidTermsOn final : public FluidTerms<D> {
     return all;
   }
 
-  double density(Lines lines, Index i, std::span<const Index> neighbours, double smoothing_length,
-                 double mass) const override {
+  [[gnu::flatten]] double density(Lines lines, Index i, std::span<const Index> neighbours,
+                                  double smoothing_length, double mass) const override {
     const double inverse = 1 / smoothing_length;
     const Line& receiver = lines[static_cast<std::size_t>(i)];
     Lanes sum = 0;
@@ -68,9 +69,9 @@ class FluidTermsOn final : public FluidTerms<D> {
     return mass * (sum_of(sum) + own) * over_length(inverse, D);
   }
 
-  FluidSeen<D> seen(Lines lines, Index i, std::span<const Index> neighbours,
-                    double smoothing_length, double mass,
-                    const Surface<D>& surface) const override {
+  [[gnu::flatten]] FluidSeen<D> seen(Lines lines, Index i, std::span<const Index> neighbours,
+                                     double smoothing_length, double mass,
+                                     const Surface<D>& surface) const override {
     const double inverse = 1 / smoothing_length;
     const Line& receiver = lines[static_cast<std::size_t>(i)];
     Lanes weight = 0, pressure = 0, offset[D], velocity[D], slope[D], width = 0;
@@ -119,8 +120,9 @@ class FluidTermsOn final : public FluidTerms<D> {
     return over_length(inverse, D + 2) * sum;
   }
 
-  FluidSpread<D> spread(Lines lines, Index i, std::span<const Index> neighbours,
-                        double smoothing_length, double mass, double spacing) const override {
+  [[gnu::flatten]] FluidSpread<D> spread(Lines lines, Index i, std::span<const Index> neighbours,
+                                         double smoothing_length, double mass,
+                                         double spacing) const override {
     const double inverse = 1 / smoothing_length;
     const Line& receiver = lines[static_cast<std::size_t>(i)];
     const double density = mass / receiver.value[Line::volume];
@@ -169,9 +171,9 @@ class FluidTermsOn final : public FluidTerms<D> {
     return product;
   }
 
-  void add_up_one(Lines lines, Index i, std::span<const Index> neighbours, double smoothing_length,
-                  const FluidCoefficients<D>& c, const FluidRates<D>& rates,
-                  FluidPass& pass) const {
+  [[gnu::flatten]] void add_up_one(Lines lines, Index i, std::span<const Index> neighbours,
+                                   double smoothing_length, const FluidCoefficients<D>& c,
+                                   const FluidRates<D>& rates, FluidPass& pass) const {
     const Line& receiver = lines[static_cast<std::size_t>(i)];
     const double inverse = 1 / smoothing_length, support = kernel_.support() * rim_tolerance;
     const double density = c.mass / receiver.value[Line::volume];

@@ -29,14 +29,14 @@ namespace detail {
 
 using EightDoubles [[gnu::vector_size(64)]] = double;
 
-inline Lanes lanes_of(const EightDoubles& eight) {
+[[gnu::always_inline]] inline Lanes lanes_of(const EightDoubles& eight) {
   alignas(64) double numbers[lane_count];
   *reinterpret_cast<EightDoubles*>(numbers) = eight;
   return Lanes(numbers, std::experimental::vector_aligned);
 }
 
 template <int... Place>
-EightDoubles mix(const EightDoubles& a, const EightDoubles& b) {
+[[gnu::always_inline]] inline EightDoubles mix(const EightDoubles& a, const EightDoubles& b) {
   return __builtin_shufflevector(a, b, Place...);
 }
 
@@ -44,7 +44,8 @@ EightDoubles mix(const EightDoubles& a, const EightDoubles& b) {
 
 /// Turns eight lines into eight packs of lanes: a transposition in three rounds, of pairs, of
 /// halves and of wholes. `rows` are the lines' first numbers.
-inline LineLanes transposed(const std::array<const double*, lane_count>& rows) {
+[[gnu::always_inline]] inline LineLanes transposed(
+    const std::array<const double*, lane_count>& rows) {
   using detail::EightDoubles, detail::mix, detail::lanes_of;
   const auto row = [&](std::size_t k) { return *reinterpret_cast<const EightDoubles*>(rows[k]); };
   EightDoubles one[8], two[8];

@@ -17,7 +17,7 @@
 namespace mote {
 
 std::vector<Reading> history_columns(Simulation& simulation) {
-  simulation.model().complete_fields();
+  if (simulation.has_probes()) simulation.model().complete_fields();
   std::vector<Reading> columns;
   for (const Conserved& quantity : simulation.model().conserved())
     columns.push_back({quantity.name, quantity.value});
@@ -69,6 +69,7 @@ void RunLoop::run_to(std::int64_t frame) {
     progress_.step_done(now_.time);
   }
   now_.frame = frame;
+  simulation_.model().complete_fields();
   folder_.add_snapshot(now_, simulation_.fingerprint(), simulation_.model().cloud(),
                        scene_of(simulation_.model()));
   progress_.snapshot_done(now_.step, now_.time);

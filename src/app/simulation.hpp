@@ -48,6 +48,7 @@ class Simulation {
   /// Forgets what a restart would not know: to be called at every snapshot.
   void start_afresh();
 
+  bool has_probes() const { return observer_.has_value(); }
   /// What history.csv tells beside the conserved quantities.
   std::vector<Reading> observations();
 

@@ -16,7 +16,9 @@ struct EquationOfState {
 
   double pressure(double rho) const {
     if (exponent == 1) return sound_speed * sound_speed * (rho - density) + background;
-    return stiffness() * (std::pow(rho / density, exponent) - 1) + background;
+    const double s = rho / density, s2 = s * s;
+    const double power = exponent == 7 ? s2 * s2 * s2 * s : std::pow(s, exponent);
+    return stiffness() * (power - 1) + background;
   }
 
   /// The density that has this pressure; not a number for tensions that no density has.
