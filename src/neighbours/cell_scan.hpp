@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <experimental/simd>
 #include <limits>
 #include <vector>
@@ -23,7 +24,7 @@ using LaneBits = std::uint16_t;
 
 /// Neighbours that are written at a time.
 inline constexpr Index list_lanes = 8;
-using IndexLanes = simd::fixed_size_simd<Index, list_lanes>;
+using IndexLanes [[gnu::vector_size(list_lanes * sizeof(Index))]] = Index;
 
 /// For every set of eight lanes the lanes in it, first come first.
 struct LaneTable {
@@ -186,26 +187,24 @@ class CellScan {
 
   /// Writes which points of the listed packs are near enough.
   Index* test(Index* list) {
-    bool doubt = true;
-    if (points_.layout.has_rough_unit()) [[likely]] {
-      compare(points_.rough, possible_square_, certain_square_);
-      Index* const end = write(list, doubt);
-      if (!doubt) [[likely]]
-        return end;
-    }
-    compare(points_.place, greatest_square_, greatest_square_);
-    return write(list, doubt);
+    const bool rough = points_.layout.has_rough_unit();
+    if (!rough || !compare(points_.rough, possible_square_, certain_square_)) [[unlikely]]
+      compare(points_.place, greatest_square_, greatest_square_);
+    const Index own = std::min(own_pack_ + (receiver_ - own_begin_) / scan_lanes, most_packs);
+    near_[own] &= static_cast<LaneBits>(~(1u << (receiver_ - own_begin_) % scan_lanes));
+    return write(list);
   }
 
-  /// Finds which lanes of the packs are possibly and which are certainly near.
+  /// Finds which lanes of the packs are possibly near; returns whether all these certainly are.
   template <class Real>
-  [[gnu::flatten]] void compare(const std::array<const Real*, D>& places, Real possible,
+  [[gnu::flatten]] bool compare(const std::array<const Real*, D>& places, Real possible,
                                 Real certain) {
     using Lanes = CandidateLanes<Real>;
     const auto place = places;
     const int packs = packs_;
     std::array<Lanes, D> at;
     for (int d = 0; d < D; ++d) at[d] = place[d][receiver_];
+    Lanes doubt = 0;
     for (int k = 0; k < packs; ++k) {
       const Index j = pack_[k];
       const auto squared_difference = [&](int d) {
@@ -214,30 +213,30 @@ class CellScan {
       };
       Lanes sum = squared_difference(0);
       for (int d = 1; d < D; ++d) sum += squared_difference(d);
-      possible_[k] = bits_of<Real>(sum <= possible);
-      certain_[k] = bits_of<Real>(sum <= certain);
+      const auto near = sum <= possible;
+      near_[k] = bits_of<Real>(near);
+      where(near && sum > certain, doubt) = 1;
     }
-    const Index own = std::min(own_pack_ + (receiver_ - own_begin_) / scan_lanes, most_packs);
-    possible_[own] &= static_cast<LaneBits>(~(1u << (receiver_ - own_begin_) % scan_lanes));
+    return simd::none_of(doubt > 0);
   }
 
-  /// Writes the points that are possibly near; sets whether there is doubt about one of them.
-  [[gnu::flatten]] Index* write(Index* list, bool& doubt) const {
-    unsigned doubtful = 0;
-    for (int k = 0; k < packs_; ++k) {
-      const unsigned near = possible_[k] & lanes_[k];
-      doubtful |= near & ~unsigned{certain_[k]};
-      list = write_lanes(list, near & 255, pack_[k]);
-      list = write_lanes(list, near >> list_lanes, pack_[k] + list_lanes);
+  /// Writes the points that are near.
+  Index* write(Index* list) const {
+    const int packs = packs_;
+    for (int k = 0; k < packs; ++k) {
+      const unsigned near = near_[k] & lanes_[k];
+      const IndexLanes first = IndexLanes{} + pack_[k];
+      list = write_lanes(list, near & 255, first);
+      list = write_lanes(list, near >> list_lanes, first + list_lanes);
     }
-    doubt = doubtful != 0;
     return list;
   }
 
-  static Index* write_lanes(Index* list, unsigned near, Index j) {
-    IndexLanes found(lane_table.lanes[near], simd::vector_aligned);
-    found += j;
-    found.copy_to(list, simd::element_aligned);
+  [[gnu::always_inline]] static Index* write_lanes(Index* list, unsigned near, IndexLanes first) {
+    IndexLanes found;
+    std::memcpy(&found, lane_table.lanes[near], sizeof(found));
+    found += first;
+    std::memcpy(list, &found, sizeof(found));
     return list + std::popcount(near);
   }
 
@@ -263,7 +262,7 @@ class CellScan {
   std::array<Index, 4 * around + 1> begin_, end_;              ///< of a row's points within reach
   std::array<Index, most_packs> pack_;                         ///< first point of a pack
   std::array<LaneBits, most_packs> lanes_;                     ///< lanes that are candidates
-  std::array<LaneBits, most_packs + 1> possible_, certain_{};  ///< lanes that are near
+  std::array<LaneBits, most_packs + 1> near_;  ///< lanes that are near
 };
 
 }  // namespace mote
