@@ -13,7 +13,6 @@ import sys
 import time
 
 import numpy
-from compyle.config import get_config
 from pysph.base.kernels import WendlandQuintic
 from pysph.base.utils import get_particle_array_wcsph
 from pysph.solver.application import Application
@@ -67,9 +66,9 @@ class DamBreak(Application):
 
 def main():
     case = json.loads(pathlib.Path(CASE).read_text())
-    get_config().use_openmp = True
     app = DamBreak(fname="dam_break")
-    app.run(sys.argv[4:] + ["--max-steps", str(case["warm_steps"] + case["timed_steps"])])
+    app.run(sys.argv[4:] + ["--openmp", "--disable-output", "--quiet",
+                            "--max-steps", str(case["warm_steps"] + case["timed_steps"])])
     fluid = app.particles[0]
     speed = float(numpy.sqrt(fluid.u**2 + fluid.v**2 + fluid.w**2).max())
     result = {"particles": sum(array.get_number_of_particles() for array in app.particles),
