@@ -24,14 +24,15 @@ H_DX = 1.3
 
 def arrays_of(case, points):
     """The particle arrays `fluid` and `wall`."""
-    table = numpy.genfromtxt(points, delimiter=",", names=True)
-    axes = "xyz"[:case["dimension"]]
+    with open(points) as file:
+        names = file.readline().strip().split(",")
+        columns = dict(zip(names, numpy.loadtxt(file, delimiter=",", unpack=True)))
     arrays = []
-    for name, chosen in (("fluid", table["body"] == 0), ("wall", table["body"] != 0)):
-        place = {axis: table[axis][chosen] for axis in axes}
+    for name, chosen in (("fluid", columns["body"] == 0), ("wall", columns["body"] != 0)):
+        place = {axis: columns[axis][chosen] for axis in "xyz"[:case["dimension"]]}
         arrays.append(get_particle_array_wcsph(
             name=name, **place, m=case["density"] * case["spacing"]**case["dimension"],
-            h=H_DX * case["spacing"], rho=table["density"][chosen]))
+            h=H_DX * case["spacing"], rho=columns["density"][chosen]))
     return arrays
 
 
