@@ -28,8 +28,7 @@ using benchmark::Counter;
 /// Of 1.3 spacings, so that 80 neighbours lie in a ball and 20 in a disk.
 constexpr double smoothing_length = 1.3;
 
-/// Wall-clock time of a loop, and what it says: how often things happened a second, and how much
-/// faster two threads are than one was.
+/// Wall-clock time of a loop, and what it says.
 class Clock {
  public:
   void start() { start_ = std::chrono::steady_clock::now(); }
@@ -39,7 +38,7 @@ class Clock {
 
   Counter rate(double events) const { return {events / seconds_}; }
 
-  /// Counts of one iteration, to be told from the last repetition of one thread to those of two.
+  /// How much faster two threads are than one thread was the last time.
   void compare(benchmark::State& state, const std::string& name, int threads) const {
     static std::map<std::string, double> alone;
     const double each = seconds_ / static_cast<double>(state.iterations());
