@@ -55,8 +55,7 @@ TEST(Momentum, IsKeptByEveryPairTermInAPeriodicBox) {
       EXPECT_LT(drift_of_momentum<2>(periodic_box<2>(viscosity, diffusion)), 1e-13)
           << static_cast<int>(viscosity) << ", " << static_cast<int>(diffusion);
     }
-  EXPECT_LT(drift_of_momentum<3>(
-                periodic_box<3>(Viscosity::artificial, DensityDiffusion::molteni)),
+  EXPECT_LT(drift_of_momentum<3>(periodic_box<3>(Viscosity::artificial, DensityDiffusion::molteni)),
             1e-13);
 }
 

@@ -25,8 +25,7 @@ FlowCase busy_tank(double spacing) {
   flow.pressure = [](const Place& at) { return 9.81 * (0.6 - at[1]); };
   with_wall(flow, 0, false, {.slips = true});
   with_wall(flow, 0, true);
-  with_wall(flow, 1, false,
-            {.velocity = [](double t) { return Triple{0.5 * std::sin(20 * t)}; }});
+  with_wall(flow, 1, false, {.velocity = [](double t) { return Triple{0.5 * std::sin(20 * t)}; }});
   return flow;
 }
 

@@ -95,8 +95,8 @@ TEST(DynamicWalls, HoldATankForSomeSteps) {
   const auto flow = make_flow<2>(still);
   run(*flow, 0.2, 200);
   EXPECT_LT(fastest(*flow), 0.1 * std::sqrt(fall * 0.5));
-  const double lowest = -most_in_fluid(
-      *flow, [&](Index i) { return -vector_of(*flow, "position", i)[1] + 1; }) + 1;
+  const double lowest =
+      -most_in_fluid(*flow, [&](Index i) { return -vector_of(*flow, "position", i)[1] + 1; }) + 1;
   EXPECT_GT(lowest, 0);
 }
 
@@ -118,8 +118,8 @@ FlowCase couette(bool slips = false) {
   flow.options.free_surface = false;
   flow.velocity = [](const Place& at) { return Triple{at[1]}; };
   with_wall(flow, 1, false, {.slips = slips});
-  with_wall(flow, 1, true, {.slips = slips, .velocity = [](double) { return Triple{1}; },
-                            .travels = false});
+  with_wall(flow, 1, true,
+            {.slips = slips, .velocity = [](double) { return Triple{1}; }, .travels = false});
   return flow;
 }
 
