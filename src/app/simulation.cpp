@@ -158,11 +158,11 @@ void Simulation::make_exact(const Catalogue& catalogue) {
 
 void Simulation::refuse_early_end() const {
   if (scenario_.time.end >= exact_->valid_until())
-    throw InputError("time.end",
-                     fmt::format("the exact solution {} ends at t = {:.6g}, before the run does "
-                                 "at t = {}",
-                                 scenario_.check.against, exact_->valid_until(),
-                                 scenario_.time.end));
+    throw InputError(
+        "time.end",
+        fmt::format("the exact solution {} ends at t = {:.6g}, before the run does "
+                    "at t = {}",
+                    scenario_.check.against, exact_->valid_until(), scenario_.time.end));
 }
 
 /// The model in space and the flow that it is compared with, which is made from the same start.

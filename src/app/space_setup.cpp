@@ -87,8 +87,8 @@ std::function<double(std::string_view, const Triple&)> initial_in_space(const Sc
 /// Wendland's C2 with the operator's reach.
 void add_terms(const Scenario& scenario, const Catalogue& catalogue, SpaceSetup& setup) {
   const NeighbourRule rule = scenario.differential_operator.made->neighbour_rule();
-  const auto kernel =
-      std::ranges::find(catalogue.kernels, scenario.differential_operator.member, &KernelEntry::name);
+  const auto kernel = std::ranges::find(catalogue.kernels, scenario.differential_operator.member,
+                                        &KernelEntry::name);
   const bool found = kernel != catalogue.kernels.end();
   setup.terms = (found ? *kernel : entry_named(catalogue.kernels, "wendland_c2"))
                     .fluid_terms(scenario.dimension);

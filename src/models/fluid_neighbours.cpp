@@ -17,7 +17,8 @@ FluidNeighbours<D>::FluidNeighbours(const SpaceStart& start, const std::string& 
       search_(search.empty() || search == CellGridSearch<D>::name ? nullptr
                                                                   : make_search<D>(search)) {
   for (int d = 0; d < D; ++d)
-    if (periodic_[static_cast<std::size_t>(d)] && upper_[d] - lower_[d] < 2 * reach)
+    if (periodic_[static_cast<std::size_t>(d)] &&
+        (upper_[d] - lower_[d]) * rim_tolerance < 2 * reach)
       throw InputError("domain.periodic",
                        fmt::format("the domain is {:.6g} wide along {}, and a periodic one must be "
                                    "twice as wide as the operator reaches, {:.6g}",

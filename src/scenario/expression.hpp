@@ -30,8 +30,8 @@ struct Place {
 };
 
 /// A formula in x, y, z, r (distance from the origin), t, pi and named constants, evaluated by
-/// muParser; beside its functions there are clamp(value, lower, upper) and square_patch(x, y), which
-/// is rotating_square_patch_pressure.
+/// muParser; beside its functions there are clamp(value, lower, upper) and square_patch(x, y),
+/// which is rotating_square_patch_pressure.
 class Expression {
  public:
   /// Throws ExpressionError for unknown names and bad syntax.

@@ -113,7 +113,7 @@ TEST(SpaceSetup, TakesOperatorAndSearch) {
   EXPECT_EQ(setup.search, "kd_tree");
   EXPECT_EQ(*setup.skin, 0.1);
   Scenario plain = scenario({"neighbours={}"});
-  EXPECT_EQ(space_setup(plain).search, "");
+  EXPECT_EQ(space_setup(plain, standard_catalogue()).search, "");
 }
 
 TEST(MemoryInSpace, GrowsWithTheNumberOfParticles) {

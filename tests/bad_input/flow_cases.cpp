@@ -67,6 +67,16 @@ const std::vector<ScenarioCase> flows{
                       "[2, 1]}]}, @{name: step, type: wall, shapes: [{type: box, lower: [0.5, -1], "
                       "upper: [1.5, 0.5]}]}]"),
      "the fluid 'water' and the wall 'step' lie on top of each other at (0.55, 0.05)"},
+    {"fluids_on_top_of_each_other",
+     flow_line(5, "regions: [" + water +
+                      "[1, 1]}]}, @{name: oil, type: fluid, shapes: [{type: box, lower: [0.5, 0], "
+                      "upper: [2, 1]}]}]"),
+     "the fluid 'water' and the fluid 'oil' lie on top of each other at (0.55, 0.05)"},
+    {"region_of_an_unknown_type",
+     flow_line(5,
+               "regions: [{name: a, type: @ice, shapes: [{type: box, lower: [0, 0], upper: [1, "
+               "1]}]}]"),
+     "unknown type 'ice'; there are: fluid, wall"},
     {"thin_wall",
      flow_line(5,
                "regions: [@{name: plate, type: wall, shapes: [{type: box, lower: [0, 0.4], upper: "
@@ -102,6 +112,24 @@ const std::vector<ScenarioCase> flows{
     {"no_spacing", flow_line(4, "particles: @{seed: 1}"),
      "section 'particles' lacks the key 'spacing'"},
     {"on_a_line", flow_line(2, "dimension: @1"), "dimension must be 2 or 3, and is 1"},
+    {"gravity_in_space",
+     flow_line(6, "model: {type: weakly_compressible, sound_speed: 10, gravity: @[0, 0, -9.81]}"),
+     "'gravity' needs 2 numbers, one a dimension, and has 3"},
+    {"force_on_a_line",
+     flow_line(6, "model: {type: weakly_compressible, sound_speed: 10, force: @[x]}"),
+     "'force' needs 2 formulas, one a dimension, and has 1"},
+    {"no_sound_speed", flow_line(6, "model: @{type: weakly_compressible}"),
+     "section 'model' lacks the key 'sound_speed'"},
+    {"negative_sound_speed", flow_line(6, "model: {type: weakly_compressible, sound_speed: @-1}"),
+     "'sound_speed' must be greater than 0, and is -1"},
+    {"viscosity_of_nothing",
+     flow_line(6,
+               "model: {type: weakly_compressible, sound_speed: 10, viscosity: @{type: morris}}"),
+     "this viscosity needs 'kinematic', and it is 0"},
+    {"tension_without_a_density", flow_line(5, "initial: {pressure: @\"-200\"}"),
+     "no density has the pressure -200 at x = 0.05"},
+    {"force_on_an_unknown_wall", flow_line(5, "probes: [{name: drag, type: force, on: @lid}]"),
+     "there is no wall 'lid'; there are: y_lower"},
     {"wall_and_periodic",
      flow_line(3,
                "domain: {lower: [0, 0], upper: [2, 1], periodic: [x], walls: [{side: @x_lower}]}"),
@@ -111,6 +139,44 @@ const std::vector<ScenarioCase> flows{
          3, "domain: {lower: [0, 0], upper: [2, 1], walls: [{side: y_lower, velocity: [t, @x]}]}"),
      "the velocity of a wall depends on t alone, and this names x"}};
 INSTANTIATE_TEST_SUITE_P(Table, FlowThatCannotBe, testing::ValuesIn(flows), by_label);
+
+const std::vector<std::string> short_run{"run",   "scenario.yaml",       "--out", "out", "--quiet",
+                                         "--set", "output.picture=false"};
+
+/// A flow that runs to its end with a warning, which the summary has too; an error with --strict.
+void expect_warning(const std::string& scenario, const std::string& sentence) {
+  const Workspace workspace(scenario);
+  const Outcome outcome = workspace.mote(short_run);
+  for (const auto& fault : faults(outcome, {"flow: warning: ", sentence, 0}))
+    ADD_FAILURE() << fault;
+  EXPECT_NE(read(workspace / "out/summary.json").find(sentence), std::string::npos);
+  std::vector<std::string> strictly = short_run;
+  strictly.insert(strictly.end(), {"--strict", "--overwrite"});
+  const Outcome strict = workspace.mote(strictly);
+  EXPECT_EQ(strict.exit_code, 3);
+  EXPECT_NE(strict.errors.find("--strict makes an error of this warning"), std::string::npos)
+      << strict.errors;
+}
+
+TEST(FlowWithAWarning, HasASoundSpeedThatIsTooLow) {
+  expect_warning(flow({{5, "initial: {velocity_x: \"2\"}"}, {8, "time: {end: 0.02}"}}),
+                 "the sound speed 10 is less than ten times the highest speed, 2 at t = ");
+}
+
+const std::string open_below = "domain: {lower: [0, 0], upper: [2, 1], periodic: [x]}";
+
+TEST(FlowWithAWarning, LosesParticlesThroughAHole) {
+  const std::string falling = "initial: {velocity_y: \"-1\"}";
+  expect_warning(flow({{3, open_below}, {5, falling}, {8, "time: {end: 0.4}"}}),
+                 "20 particles left the domain and were removed, first particle 0 at (0.05, -0.3");
+}
+
+/// Negative control: a flow that is well has nothing to say.
+TEST(FlowWithAWarning, IsNotEveryFlow) {
+  const Outcome outcome = Workspace(flow({{8, "time: {end: 0.02}"}})).mote(short_run);
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.errors, "");
+}
 
 }  // namespace
 }  // namespace mote::test

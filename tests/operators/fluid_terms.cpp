@@ -1,0 +1,335 @@
+#include "mote/operators/terms/fluid_terms.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "kernel_cases.hpp"
+#include "mote/operators/terms/fluid_terms_on.hpp"
+#include "plain_fluid_terms.hpp"
+
+namespace mote::test {
+namespace {
+
+constexpr double rounding = 1e-13;
+
+template <class List>
+struct SpaceCasesOf;
+template <template <int> class... K>
+struct SpaceCasesOf<KernelList<K...>> {
+  using type = testing::Types<KernelCase<K, 2>..., KernelCase<K, 3>...>;
+};
+
+template <class Case>
+struct FluidTermsInSpace : testing::Test {
+  static constexpr int D = Case::dimension;
+  using Kernel = typename Case::Kernel;
+  using Line = PairLine<D>;
+
+  Kernel kernel;
+  FluidTermsOn<D, Kernel> terms;
+  FluidInABox<D> fluid = fluid_in_a_box<D>(kernel.support());
+  PlainLists everybody = all_of_all(fluid.count());
+
+  static FluidCoefficients<D> nothing() {
+    FluidCoefficients<D> c;
+    c.mass = 0.6;
+    c.continuity = c.pressure = false;
+    return c;
+  }
+
+  /// Every term alone, and all of them.
+  static std::vector<FluidCoefficients<D>> combinations() {
+    std::vector<FluidCoefficients<D>> all(7, nothing());
+    all[1].continuity = all[6].continuity = true;
+    all[2].pressure = all[6].pressure = true;
+    all[3].diffusion = all[6].diffusion = 0.3;
+    all[6].density_at_rest = Vec<D>::LinSpaced(0.2, -0.7);
+    all[4].artificial_viscosity = all[6].artificial_viscosity = 0.8;
+    all[5].viscosity = all[6].viscosity = 0.5;
+    return all;
+  }
+
+  struct Rates {
+    std::vector<double> acceleration, density_rate;
+    FluidPass pass;
+  };
+
+  Rates rates(const PlainLists& lists, const FluidCoefficients<D>& c,
+              std::vector<std::uint8_t> idle = {}) const {
+    idle.resize(lists.size());
+    Rates rates{
+        std::vector<double>(lists.size() * D, 99), std::vector<double>(lists.size(), 99), {}};
+    rates.pass = terms.add_up(fluid.lines, NeighbourLists(lists), idle, fluid.smoothing_length, c,
+                              {rates.acceleration, rates.density_rate});
+    return rates;
+  }
+
+  /// How far the terms are from the plain sums over `against`, in magnitudes of those.
+  double distance(const PlainLists& lists, const PlainLists& against,
+                  const FluidCoefficients<D>& c) const {
+    return distance(rates(lists, c), against, c);
+  }
+
+  double distance(const Rates& found, const PlainLists& against,
+                  const FluidCoefficients<D>& c) const {
+    double worst = 0;
+    const auto compare = [&](double value, const PlainSum& sum) {
+      const double apart = std::abs(value - sum.value);
+      if (apart > 0) worst = std::max(worst, apart / sum.magnitude);
+    };
+    PlainSum lost;
+    std::int64_t pairs = 0;
+    for (std::size_t i = 0; i < against.size(); ++i) {
+      const PlainRates<D> plain = plain_rates(fluid, kernel, i, against[i], c);
+      for (std::size_t d = 0; d < D; ++d)
+        compare(found.acceleration[i * D + d], plain.acceleration[d]);
+      compare(found.density_rate[i], plain.density_rate);
+      lost.value += plain.dissipation.value;
+      lost.magnitude += plain.dissipation.magnitude;
+      pairs += plain.pairs;
+    }
+    compare(found.pass.dissipation, lost);
+    EXPECT_EQ(found.pass.pairs, pairs);
+    return worst;
+  }
+};
+TYPED_TEST_SUITE(FluidTermsInSpace, SpaceCasesOf<Kernels>::type, KernelCaseName);
+
+TYPED_TEST(FluidTermsInSpace, AreTheirFormulaTermByTerm) {
+  for (const auto& c : this->combinations())
+    EXPECT_LE(this->distance(this->everybody, this->everybody, c), rounding);
+}
+
+TYPED_TEST(FluidTermsInSpace, AreTheSameForListsThatReachBeyondTheSupport) {
+  const double support = this->kernel.support();
+  for (const auto& c : this->combinations())
+    for (const double reach : {1.0, 1.1})
+      EXPECT_LE(this->distance(within(this->fluid, reach * support), this->everybody, c), rounding);
+}
+
+TYPED_TEST(FluidTermsInSpace, TakeListsOfAnyLength) {
+  for (const std::size_t length : {0, 1, 7, 8, 9, 17}) {
+    PlainLists lists = this->everybody;
+    for (auto& list : lists) list.resize(length);
+    for (const auto& c : this->combinations())
+      EXPECT_LE(this->distance(lists, lists, c), rounding) << length;
+  }
+}
+
+TYPED_TEST(FluidTermsInSpace, CountPairsWithinTheSupportOnly) {
+  const PlainLists near = within(this->fluid, this->kernel.support());
+  const auto pairs = std::accumulate(near.begin(), near.end(), std::size_t{0},
+                                     [](auto sum, const auto& list) { return sum + list.size(); });
+  EXPECT_EQ(this->rates(this->everybody, this->nothing()).pass.pairs, pairs);
+  EXPECT_LT(pairs, this->everybody.size() * (this->everybody.size() - 1));
+}
+
+TYPED_TEST(FluidTermsInSpace, LeaveTheRatesOfTheIdleAlone) {
+  std::vector<std::uint8_t> idle(this->everybody.size());
+  idle[3] = 1;
+  const auto found = this->rates(this->everybody, this->combinations()[6], idle);
+  EXPECT_EQ(found.acceleration[3 * TestFixture::D], 99);
+  EXPECT_EQ(found.density_rate[3], 99);
+  EXPECT_NE(found.density_rate[4], 99);
+}
+
+/// Negative control: every coefficient that is a little wrong is noticed.
+TYPED_TEST(FluidTermsInSpace, DifferFromFormulasThatAreALittleWrong) {
+  const auto right = this->combinations()[6];
+  const auto found = this->rates(this->everybody, right);
+  EXPECT_LE(this->distance(found, this->everybody, right), rounding);
+  std::vector wrong(6, right);
+  wrong[0].continuity = false;
+  wrong[1].pressure = false;
+  wrong[2].diffusion *= 1 + 1e-9;
+  wrong[3].artificial_viscosity *= 1 + 1e-9;
+  wrong[4].viscosity *= 1 + 1e-9;
+  wrong[5].density_at_rest *= 1 + 1e-9;
+  for (const auto& c : wrong) EXPECT_GT(this->distance(found, this->everybody, c), 10 * rounding);
+}
+
+void expect_sum(double value, const PlainSum& sum, double factor = 1) {
+  EXPECT_NEAR(value, factor * sum.value, rounding * std::abs(factor) * sum.magnitude);
+}
+
+/// The lists that the sums over one particle's neighbours are tried with.
+std::vector<std::vector<Index>> lists_of_first(const PlainLists& everybody) {
+  std::vector<std::vector<Index>> lists{everybody.front()};
+  for (const std::size_t length : {0, 1, 7, 8, 9, 17})
+    lists.emplace_back(everybody.front().begin(),
+                       everybody.front().begin() + static_cast<std::ptrdiff_t>(length));
+  return lists;
+}
+
+TYPED_TEST(FluidTermsInSpace, SumUpTheDensity) {
+  const auto& fluid = this->fluid;
+  for (const auto& list : lists_of_first(this->everybody)) {
+    PlainSum sum;
+    sum += this->kernel.value(0.0) / std::pow(fluid.smoothing_length, TestFixture::D);
+    for (const Index j : list)
+      sum += PlainPair<TestFixture::D>(fluid, this->kernel, 0, static_cast<std::size_t>(j)).w;
+    // The receiver stands in for up to seven missing lanes, and is taken off again.
+    sum.magnitude += 7 * this->kernel.value(0.0);
+    expect_sum(this->terms.density(fluid.lines, 0, list, fluid.smoothing_length, fluid.mass), sum,
+               fluid.mass);
+  }
+}
+
+TYPED_TEST(FluidTermsInSpace, AreSeenFromAWall) {
+  constexpr int D = TestFixture::D;
+  const auto& fluid = this->fluid;
+  const Surface<D> surface{0.2, Vec<D>::Unit(1), Vec<D>::LinSpaced(0.3, -0.4)};
+  for (const auto& list : lists_of_first(this->everybody)) {
+    PlainSum weight, pressure, offset[D], velocity[D], slope[D], width;
+    for (const Index j : list) {
+      const PlainPair<D> pair(fluid, this->kernel, 0, static_cast<std::size_t>(j));
+      const Vec<D> speed = fluid.lines[static_cast<std::size_t>(j)].speed();
+      const double vw = pair.volume * pair.w;
+      const double height = std::max(0.0, -pair.x.dot(surface.normal) - surface.depth);
+      weight += vw;
+      pressure += vw * pair.pressure_j;
+      width += vw * height * height;
+      for (int d = 0; d < D; ++d) {
+        offset[d] += fluid.mass * pair.w * pair.x[d];
+        velocity[d] += vw * speed[d];
+        slope[d] += vw * height * (speed[d] - surface.velocity[d]);
+      }
+    }
+    const FluidSeen<D> seen =
+        this->terms.seen(fluid.lines, 0, list, fluid.smoothing_length, fluid.mass, surface);
+    // The weight itself is left unscaled by the length of the kernel.
+    const double unit = std::pow(fluid.smoothing_length, D);
+    expect_sum(seen.weight, weight, unit);
+    if (weight.value == 0) continue;
+    expect_sum(seen.pressure, pressure, 1 / weight.value);
+    for (int d = 0; d < D; ++d) {
+      expect_sum(seen.offset[d], offset[d], 1 / weight.value);
+      expect_sum(seen.velocity[d], velocity[d], 1 / weight.value);
+      expect_sum(seen.shear[d], slope[d], width.value > 0 ? 1 / width.value : 0);
+    }
+  }
+}
+
+TYPED_TEST(FluidTermsInSpace, TellHowNeighboursSpread) {
+  constexpr int D = TestFixture::D;
+  const auto& fluid = this->fluid;
+  const double h = fluid.smoothing_length, spacing = 0.4 * this->kernel.support() * h;
+  const double at_spacing = this->kernel.value(spacing / h);
+  for (const auto& list : lists_of_first(this->everybody)) {
+    PlainSum moment[D][D], crowding[D], velocity[D][D], density[D];
+    for (const Index j : list) {
+      const PlainPair<D> pair(fluid, this->kernel, 0, static_cast<std::size_t>(j));
+      const double vf = pair.volume * pair.f;
+      const double ratio = pair.w * std::pow(h, D) / at_spacing;
+      for (int d = 0; d < D; ++d) {
+        crowding[d] += vf * (1 + 0.2 * std::pow(ratio, 4)) * pair.x[d];
+        density[d] += vf * pair.density_j * pair.x[d];
+        density[d] += -vf * pair.density_i * pair.x[d];
+        for (int e = 0; e < D; ++e) {
+          moment[d][e] += -vf * pair.x[d] * pair.x[e];
+          velocity[d][e] += -vf * pair.u[d] * pair.x[e];
+        }
+      }
+    }
+    const FluidSpread<D> spread = this->terms.spread(fluid.lines, 0, list, h, fluid.mass, spacing);
+    for (int d = 0; d < D; ++d) {
+      expect_sum(spread.crowding[d], crowding[d]);
+      expect_sum(spread.density[d], density[d]);
+      for (int e = 0; e < D; ++e) {
+        expect_sum(spread.moment(d, e), moment[d][e]);
+        expect_sum(spread.velocity(d, e), velocity[d][e]);
+      }
+    }
+  }
+}
+
+TYPED_TEST(FluidTermsInSpace, AddUpTheLinearPartOfTheDiffusion) {
+  constexpr int D = TestFixture::D;
+  const auto& fluid = this->fluid;
+  Draws draws(11);
+  std::vector<Vec<D>> slopes(fluid.lines.size());
+  for (Vec<D>& slope : slopes)
+    for (int d = 0; d < D; ++d) slope[d] = draws.uniform(-1, 1);
+  for (const auto& list : lists_of_first(this->everybody)) {
+    PlainSum sum;
+    for (const Index j : list) {
+      const PlainPair<D> pair(fluid, this->kernel, 0, static_cast<std::size_t>(j));
+      for (int d = 0; d < D; ++d) {
+        sum += -pair.volume * slopes[0][d] * pair.x[d] * pair.f;
+        sum += -pair.volume * slopes[static_cast<std::size_t>(j)][d] * pair.x[d] * pair.f;
+      }
+    }
+    expect_sum(this->terms.linear_diffusion(fluid.lines, 0, list, fluid.smoothing_length, slopes),
+               sum);
+  }
+}
+
+template <class Case>
+struct KernelInLanes : testing::Test {
+  const typename Case::Kernel kernel{};
+
+  /// Places within the support and beyond it, and around the rim by a few roundings.
+  std::vector<double> places() const {
+    const double support = kernel.support();
+    std::vector<double> places{0,
+                               1e-300,
+                               support,
+                               std::nextafter(support, 0.0),
+                               std::nextafter(support, 9.9),
+                               support * rim_tolerance,
+                               support * (1 + 3e-12),
+                               1.5 * support,
+                               40 * support};
+    for (int k = 0; k < 63; ++k) places.push_back(support * k / 60.0);
+    return places;
+  }
+};
+TYPED_TEST_SUITE(KernelInLanes, KernelCases, KernelCaseName);
+
+TYPED_TEST(KernelInLanes, IsTheKernelOfOneNumber) {
+  const auto& kernel = this->kernel;
+  const std::vector<double> places = this->places();
+  ASSERT_EQ(places.size() % lane_count, 0);
+  for (std::size_t k = 0; k < places.size(); k += lane_count) {
+    const Lanes q(places.data() + k, std::experimental::element_aligned);
+    const Lanes value = value_of(kernel, q), slope = slope_over_q_of(kernel, q);
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      const double scale = std::abs(kernel.slope_over_q(0.0));
+      EXPECT_NEAR(value[lane], kernel.value(places[k + lane]), 1e-15 * kernel.value(0.0));
+      EXPECT_NEAR(slope[lane], kernel.slope_over_q(places[k + lane]), 1e-15 * scale);
+      const bool beyond = places[k + lane] > kernel.support() * rim_tolerance;
+      EXPECT_TRUE(!beyond || (value[lane] == 0 && slope[lane] == 0)) << places[k + lane];
+    }
+  }
+}
+
+TEST(Transposed, TurnsLinesIntoLanes) {
+  std::array<PairLine<3>, lane_count> lines;
+  std::array<const double*, lane_count> rows;
+  for (std::size_t k = 0; k < lane_count; ++k) {
+    for (std::size_t c = 0; c < 8; ++c) lines[k].value[c] = static_cast<double>(10 * k + c);
+    rows[k] = lines[k].value.data();
+  }
+  const LineLanes lanes = transposed(rows);
+  for (std::size_t c = 0; c < 8; ++c)
+    for (std::size_t k = 0; k < lane_count; ++k)
+      EXPECT_EQ(lanes[c][k], static_cast<double>(10 * k + c)) << k << ", " << c;
+}
+
+TEST(EightNeighbours, HaveTheReceiverInMissingPlaces) {
+  std::vector<PairLine<2>> lines(12);
+  for (std::size_t k = 0; k < lines.size(); ++k) lines[k].value[0] = static_cast<double>(k);
+  std::vector<Index> neighbours{1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+  std::vector<double> met;
+  std::vector<std::size_t> valid;
+  for_each_eight<2>(lines, 11, neighbours, [&](const LineLanes& lanes, std::size_t count) {
+    for (std::size_t lane = 0; lane < lane_count; ++lane) met.push_back(lanes[0][lane]);
+    valid.push_back(count);
+  });
+  EXPECT_EQ(met, (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 11, 11, 11, 11, 11}));
+  EXPECT_EQ(valid, (std::vector<std::size_t>{8, 2}));
+}
+
+}  // namespace
+}  // namespace mote::test
