@@ -10,6 +10,10 @@ namespace {
 /// near a free surface, or at one (Marrone et al. 2010).
 constexpr double near_surface = 0.75, at_surface = 0.2;
 
+/// From at_edge to inside the shift across the surface grows from none to all of it; below at_edge,
+/// in corners and in spray, there is none along the surface either.
+constexpr double at_edge = 0.4, inside = 0.95;
+
 template <int D>
 double smallest_eigenvalue(const Mat<D>& moment) {
   return Eigen::SelfAdjointEigenSolver<Mat<D>>(moment, Eigen::EigenvaluesOnly).eigenvalues()[0];
@@ -40,25 +44,47 @@ void WeaklyCompressible<D>::refresh_lines(double time) {
 /// over neighbours good (Sun et al. 2017, (10)):
 ///   delta x_i = -4 h U dt sum V_j (1 + 0.2 (W_ij/W(dx))^4) grad W,
 /// no further than a tenth of a spacing, and carries velocity and density along their gradients to
-/// the new places. Particles near a free surface stay where they are.
+/// the new places. What the fluid's momentum gains by that is taken from all that moved alike, so
+/// that it is kept. Particles near a free surface move along it alone: across it they would crowd
+/// into the outermost layer, where neighbours are always few. Its normal is the direction in which
+/// neighbours are fewest, the first eigenvector of their moment.
 template <int D>
 void WeaklyCompressible<D>::shift_particles(double time, double step) {
   refresh_lines(time);
   const double strength = options_.shifting * 4 * smoothing_length_ * highest_speed_ * step;
   const double limit = 0.1 * start_.spacing;
+  std::vector<Vec<D>> gains(static_cast<std::size_t>(cloud_.count()), Vec<D>::Zero());
+  std::vector<std::uint8_t> moves(gains.size());
 #pragma omp parallel for schedule(dynamic, 256) if (parallel_from <= cloud_.count())
   for (Index i = 0; i < cloud_.count(); ++i) {
     if (is_wall(i)) continue;
     const FluidSpread<D> spread = spread_of(i);
-    if (options_.free_surface && smallest_eigenvalue<D>(spread.moment) < near_surface) continue;
     Vec<D> shift = -strength * spread.crowding;
+    if (options_.free_surface) {
+      Eigen::SelfAdjointEigenSolver<Mat<D>> eigen;
+      eigen.computeDirect(spread.moment);
+      const double least = eigen.eigenvalues()[0];
+      if (least < at_edge) continue;
+      const Vec<D> normal = eigen.eigenvectors().col(0);
+      const double part = std::clamp((least - near_surface) / (inside - near_surface), 0.0, 1.0);
+      shift -= (1 - part) * shift.dot(normal) * normal;
+    }
     if (shift.norm() > limit) shift *= limit / shift.norm();
     const Mat<D> inverse = spread.moment.inverse();
     Vec<D>::Map(position_.data() + std::ptrdiff_t{i} * D) += shift;
-    Vec<D>::Map(velocity_.data() + std::ptrdiff_t{i} * D) += spread.velocity * inverse * shift;
+    gains[static_cast<std::size_t>(i)] = spread.velocity * inverse * shift;
+    moves[static_cast<std::size_t>(i)] = 1;
     if (options_.density_form == FluidDensity::continuity)
       density_[i] += spread.density.dot(inverse * shift);
   }
+  Vec<D> mean = Vec<D>::Zero();
+  for (const Vec<D>& gain : gains) mean += gain;
+  mean /= std::max<double>(1, static_cast<double>(std::ranges::count(moves, 1)));
+#pragma omp parallel for schedule(static) if (parallel_from <= cloud_.count())
+  for (Index i = 0; i < cloud_.count(); ++i)
+    if (moves[static_cast<std::size_t>(i)] != 0)
+      Vec<D>::Map(velocity_.data() + std::ptrdiff_t{i} * D) +=
+          gains[static_cast<std::size_t>(i)] - mean;
 }
 
 /// The part of the density diffusion that leaves linear densities alone (Antuono et al. 2010):
