@@ -101,6 +101,8 @@ class WeaklyCompressible final : public Model {
   FluidSpread<D> spread_of(Index i) const;
   void refresh_lines(double time);
   void add_density_correction();
+  void copy_slopes_to_images();
+  void continue_slopes_into_walls();
   void add_body_forces(double time);
   void move_walls(double time);
   void shift_particles(double time, double step);
