@@ -47,10 +47,12 @@ struct FluidSeen {
   Vec<D> shear = Vec<D>::Zero();     ///< slope of the velocity against distance from the surface
 };
 
-/// A wall particle's view: the plane of the wall's surface, and the velocity there.
+/// A wall particle's view: the plane of the wall's surface, and the velocity there. Fluid that is
+/// nearer to the surface than `nearest` counts as that near: the slope of the velocity of one
+/// particle that touches the wall is no more than that of a regular layer.
 template <int D>
 struct Surface {
-  double depth = 0;
+  double depth = 0, nearest = 0;
   Vec<D> normal = Vec<D>::Zero();
   Vec<D> velocity = Vec<D>::Zero();
 };

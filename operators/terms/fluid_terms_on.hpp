@@ -85,7 +85,7 @@ class FluidTermsOn final : public FluidTerms<D> {
       pressure += vw * lanes[Line::pressure];
       Lanes height = -surface.depth;
       for (int d = 0; d < D; ++d) height -= surface.normal[d] * pair.x[d];
-      where(height < 0, height) = 0;
+      where(height < surface.nearest, height) = surface.nearest;
       width += vw * height * height;
       for (int d = 0; d < D; ++d) {
         offset[d] += w * pair.x[d];

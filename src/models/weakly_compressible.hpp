@@ -101,6 +101,8 @@ class WeaklyCompressible final : public Model {
   void refresh_lines(double time);
   void add_density_correction();
   void finish_rates(double time);
+  void copy_slopes_to_images();
+  void continue_slopes_into_walls();
   void move_walls(double time);
   void shift_particles(double time, double step);
   Vec<D> gravity() const;

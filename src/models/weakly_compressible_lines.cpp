@@ -104,7 +104,7 @@ void WeaklyCompressible<D>::extrapolate_to(Index i) {
   const Body& body = body_of(i);
   const WallPlace& place = place_of(i);
   const WallMotion& motion = motion_of(i);
-  const Surface<D> surface{place.depth, Vec<D>::Map(place.normal.data()),
+  const Surface<D> surface{place.depth, 0.5 * start_.spacing, Vec<D>::Map(place.normal.data()),
                            Vec<D>::Map(motion.velocity.data())};
   const FluidSeen<D> seen =
       terms_->seen(lines_, i, neighbours_.lists()[i], smoothing_length_, mass_, surface);

@@ -67,13 +67,21 @@ std::vector<Conserved> WeaklyCompressible<D>::conserved() const {
 template <int D>
 std::vector<Reading> WeaklyCompressible<D>::readings() const {
   const Energy parts = energy();
-  return {
+  std::vector<Reading> readings{
       {"kinetic_energy", parts.kinetic},
       {"potential_energy", parts.potential},
       {"compression_energy", parts.compression},
       {"viscous_power", dissipation_},
       {"highest_speed", highest_speed_},
       {"removed", static_cast<double>(fluids_ - static_cast<Index>(std::ranges::count(idle_, 0)))}};
+  if constexpr (D == 2) {  // about the origin
+    const auto moment = [&](Index i) {
+      const double *x = &position_[i * 2], *u = &velocity_[i * 2];
+      return is_wall(i) ? 0.0 : x[0] * u[1] - x[1] * u[0];
+    };
+    readings.push_back({"angular_momentum", mass_ * sum_over(cloud_.count(), moment)});
+  }
+  return readings;
 }
 
 template <int D>

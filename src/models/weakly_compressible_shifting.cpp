@@ -10,6 +10,9 @@ namespace {
 /// near a free surface, or at one (Marrone et al. 2010).
 constexpr double near_surface = 0.75, at_surface = 0.2;
 
+/// From near_surface to this the shift across the surface grows from none to all of it.
+constexpr double inside = 0.95;
+
 template <int D>
 double smallest_eigenvalue(const Mat<D>& moment) {
   return Eigen::SelfAdjointEigenSolver<Mat<D>>(moment, Eigen::EigenvaluesOnly).eigenvalues()[0];
@@ -40,25 +43,47 @@ void WeaklyCompressible<D>::refresh_lines(double time) {
 /// over neighbours good (Sun et al. 2017, (10)):
 ///   delta x_i = -4 h U dt sum V_j (1 + 0.2 (W_ij/W(dx))^4) grad W,
 /// no further than a tenth of a spacing, and carries velocity and density along their gradients to
-/// the new places. Particles near a free surface stay where they are.
+/// the new places. What the fluid's momentum gains by that is taken from all that moved alike, so
+/// that it is kept. Particles near a free surface stay where they are, and the next ones move along
+/// it alone: across it they would crowd into the outermost layer, where neighbours are always few.
+/// Its normal is the direction in which neighbours are fewest, the first eigenvector of the moment.
 template <int D>
 void WeaklyCompressible<D>::shift_particles(double time, double step) {
   refresh_lines(time);
   const double strength = options_.shifting * 4 * smoothing_length_ * highest_speed_ * step;
   const double limit = 0.1 * start_.spacing;
+  std::vector<Vec<D>> gains(static_cast<std::size_t>(cloud_.count()), Vec<D>::Zero());
+  std::vector<std::uint8_t> moves(gains.size());
 #pragma omp parallel for schedule(dynamic, 256) if (parallel_from <= cloud_.count())
   for (Index i = 0; i < cloud_.count(); ++i) {
     if (is_wall(i)) continue;
     const FluidSpread<D> spread = spread_of(i);
-    if (options_.free_surface && smallest_eigenvalue<D>(spread.moment) < near_surface) continue;
     Vec<D> shift = -strength * spread.crowding;
+    if (options_.free_surface) {
+      Eigen::SelfAdjointEigenSolver<Mat<D>> eigen;
+      eigen.computeDirect(spread.moment);
+      const double least = eigen.eigenvalues()[0];
+      if (least < near_surface) continue;
+      const Vec<D> normal = eigen.eigenvectors().col(0);
+      const double part = std::min(1.0, (least - near_surface) / (inside - near_surface));
+      shift -= (1 - part) * shift.dot(normal) * normal;
+    }
     if (shift.norm() > limit) shift *= limit / shift.norm();
     const Mat<D> inverse = spread.moment.inverse();
     Vec<D>::Map(position_.data() + std::ptrdiff_t{i} * D) += shift;
-    Vec<D>::Map(velocity_.data() + std::ptrdiff_t{i} * D) += spread.velocity * inverse * shift;
+    gains[static_cast<std::size_t>(i)] = spread.velocity * inverse * shift;
+    moves[static_cast<std::size_t>(i)] = 1;
     if (options_.density_form == FluidDensity::continuity)
       density_[i] += spread.density.dot(inverse * shift);
   }
+  Vec<D> mean = Vec<D>::Zero();
+  for (const Vec<D>& gain : gains) mean += gain;
+  mean /= std::max<double>(1, static_cast<double>(std::ranges::count(moves, 1)));
+#pragma omp parallel for schedule(static) if (parallel_from <= cloud_.count())
+  for (Index i = 0; i < cloud_.count(); ++i)
+    if (moves[static_cast<std::size_t>(i)] != 0)
+      Vec<D>::Map(velocity_.data() + std::ptrdiff_t{i} * D) +=
+          gains[static_cast<std::size_t>(i)] - mean;
 }
 
 /// The part of the density diffusion that leaves linear densities alone (Antuono et al. 2010):
@@ -75,16 +100,46 @@ void WeaklyCompressible<D>::add_density_correction() {
     if (smallest_eigenvalue<D>(spread.moment) > at_surface)
       slopes_[static_cast<std::size_t>(i)] = spread.moment.inverse() * spread.density;
   }
-  const auto images = neighbours_.images();
-  for (std::size_t k = 0; k < images.size(); ++k)
-    slopes_[static_cast<std::size_t>(cloud_.count()) + k] =
-        slopes_[static_cast<std::size_t>(images[k].owner)];
+  copy_slopes_to_images();
+  continue_slopes_into_walls();
+  copy_slopes_to_images();
 #pragma omp parallel for schedule(dynamic, 256) if (parallel_from <= cloud_.count())
   for (Index i = 0; i < cloud_.count(); ++i)
     if (!is_wall(i))
       density_rate_[static_cast<std::size_t>(i)] +=
           coefficients_.diffusion *
           terms_->linear_diffusion(lines_, i, neighbours_.lists()[i], smoothing_length_, slopes_);
+}
+
+template <int D>
+void WeaklyCompressible<D>::copy_slopes_to_images() {
+  const auto images = neighbours_.images();
+  for (std::size_t k = 0; k < images.size(); ++k)
+    slopes_[static_cast<std::size_t>(cloud_.count()) + k] =
+        slopes_[static_cast<std::size_t>(images[k].owner)];
+}
+
+/// Walls take the mean slope of the fluid around them: with none, half of what a linear density
+/// diffuses across the wall would be left.
+template <int D>
+void WeaklyCompressible<D>::continue_slopes_into_walls() {
+  const auto& lists = neighbours_.lists();
+  const auto images = neighbours_.images();
+  const auto owner = [&](Index j) {
+    return j < cloud_.count() ? j : images[static_cast<std::size_t>(j - cloud_.count())].owner;
+  };
+#pragma omp parallel for schedule(dynamic, 256) if (parallel_from <= cloud_.count())
+  for (Index i = 0; i < cloud_.count(); ++i) {
+    if (!is_wall(i)) continue;
+    Vec<D> sum = Vec<D>::Zero();
+    double fluids = 0;
+    for (const Index j : lists[i]) {
+      if (is_wall(owner(j))) continue;
+      sum += slopes_[static_cast<std::size_t>(j)];
+      ++fluids;
+    }
+    if (fluids > 0) slopes_[static_cast<std::size_t>(i)] = sum / fluids;
+  }
 }
 
 /// Pressure everywhere, and where the free surface is.
