@@ -180,9 +180,10 @@ void WeaklyCompressible<D>::restore(const Cloud& state) {
   for (const Field& field : cloud_.fields())
     if (!state.has(field.name) || state.count() > cloud_.count())
       throw InputError("this snapshot lacks particles or the field " + field.name);
+  course_.removed = cloud_.count() - state.count();
+  course_.first_removed = "before the run was resumed";
   cloud_ = state;
   name_parts();
-  course_.removed = 0;
   start_afresh();
 }
 
