@@ -19,9 +19,10 @@ constexpr std::size_t packs_for(std::size_t count) { return (count + lane_count 
 
 /// Sum of the lanes, in a fixed order.
 inline double sum_of(const Lanes& lanes) {
-  const double low = (lanes[0] + lanes[4]) + (lanes[2] + lanes[6]);
-  const double high = (lanes[1] + lanes[5]) + (lanes[3] + lanes[7]);
-  return low + high;
+  const auto [low, high] = std::experimental::split<4, 4>(lanes);
+  const auto [first, second] = std::experimental::split<2, 2>(low + high);
+  const auto last = first + second;
+  return last[0] + last[1];
 }
 
 }  // namespace mote

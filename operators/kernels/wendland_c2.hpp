@@ -44,7 +44,8 @@ struct WendlandC2 {
   template <class Real>
   [[gnu::always_inline]] static constexpr Real slope_over_q_at(const Real& q) {
     const Real u = 1 - 0.5 * q;
-    return cut(scale / 4 * (D == 1 ? -12 * power<2>(u) : -20 * power<3>(u)), q, 2);
+    constexpr double factor = scale / 4 * (D == 1 ? -12 : -20);
+    return cut(factor * power < D == 1 ? 2 : 3 > (u), q, 2);
   }
 };
 

@@ -171,13 +171,22 @@ class FluidTermsOn final : public FluidTerms<D> {
     return product;
   }
 
+  /// The sums of one receiver, common factors outside:
+  ///   D rho/Dt = rho_i h^-(D+2) sum f [V_j (u.x + 2 delta h c - b.x) - 2 delta h c V_i],
+  /// with F = f h^-(D+2) and b = 2 delta h c/rho_i grad rho_rest.
   [[gnu::flatten]] void add_up_one(Lines lines, Index i, std::span<const Index> neighbours,
                                    double smoothing_length, const FluidCoefficients<D>& c,
                                    const FluidRates<D>& rates, FluidPass& pass) const {
-    const Line& receiver = lines[static_cast<std::size_t>(i)];
+    const Line receiver = lines[static_cast<std::size_t>(i)];
     const double inverse = 1 / smoothing_length, support = kernel_.support() * rim_tolerance;
-    const double density = c.mass / receiver.value[Line::volume];
+    const double volume = receiver.value[Line::volume], density = c.mass / volume;
+    const double pressure = receiver.value[Line::pressure];
     const double softening = 0.01 * smoothing_length * smoothing_length;
+    const double diffusion = 2 * c.diffusion, diffusing = diffusion * volume;
+    const Vec<D> at_rest = diffusion / density * c.density_at_rest;
+    const bool rests = !at_rest.isZero(0), sticks = c.viscosity != 0;
+    const bool pressed = c.pressure, carried = c.continuity;
+    const double artificial = c.artificial_viscosity, drag = 2 * c.viscosity;
     Lanes acceleration[D], rate = 0, lost = 0;
     for (int d = 0; d < D; ++d) acceleration[d] = 0;
     std::int64_t pairs = 0;
@@ -185,48 +194,45 @@ class FluidTermsOn final : public FluidTerms<D> {
         lines, i,
         neighbours, [&](const LineLanes& lanes, std::size_t valid) __attribute__((always_inline)) {
           const EightPairs<D, Kernel> pair(receiver, lanes, inverse);
-          pairs += popcount(pair.q <= support) - static_cast<int>(lane_count - valid);
+          pairs += static_cast<int>(valid) - popcount(pair.q > support);
           const Lanes f = slope_over_q_of(kernel_, pair.q);
-          const Lanes& volume = lanes[Line::volume];
-          const Lanes vf = f * volume;
-          Lanes u[D], approach = 0;
-          for (int d = 0; d < D; ++d) {
+          const Lanes vf = f * lanes[Line::volume];
+          Lanes u[D];
+          for (int d = 0; d < D; ++d)
             u[d] = receiver.value[Line::velocity + d] - lanes[Line::velocity + d];
-            approach = d == 0 ? u[d] * pair.x[d] : approach + u[d] * pair.x[d];
-          }
-          if (c.continuity) rate += vf * (density * approach);
-          if (c.diffusion != 0) {
-            Lanes at_rest = 0;
-            for (int d = 0; d < D; ++d) at_rest += c.density_at_rest[d] * pair.x[d];
-            rate -= (2 * c.diffusion) * (f * (c.mass - (density - at_rest) * volume));
-          }
+          Lanes approach = u[0] * pair.x[0];
+          for (int d = 1; d < D; ++d) approach = approach + u[d] * pair.x[d];
+          Lanes flow = diffusion;
+          if (carried) flow = approach + diffusion;
+          if (rests)
+            for (int d = 0; d < D; ++d) flow = flow - at_rest[d] * pair.x[d];
+          rate = rate + (vf * flow - f * diffusing);
           Lanes along = 0;
-          if (c.pressure) along -= receiver.value[Line::pressure] + lanes[Line::pressure];
-          if (c.artificial_viscosity != 0) {
+          if (pressed) along = -(pressure + lanes[Line::pressure]);
+          if (artificial != 0) {
             Lanes brake = approach / (pair.squared + softening);
-            where(brake > 0, brake) = 0;
-            along += c.artificial_viscosity * brake;
-            lost -= vf * (c.artificial_viscosity * brake) * approach;
+            where(approach > 0, brake) = 0;
+            brake = artificial * brake;
+            along = along + brake;
+            lost = lost + vf * brake * approach;
           }
           const Lanes force = vf * along;
-          for (int d = 0; d < D; ++d) acceleration[d] += force * pair.x[d];
-          if (c.viscosity != 0) {
-            const Lanes drag = vf * (2 * c.viscosity);
+          for (int d = 0; d < D; ++d) acceleration[d] = acceleration[d] + force * pair.x[d];
+          if (sticks)
             for (int d = 0; d < D; ++d) {
-              const Lanes pull = drag * u[d];
-              acceleration[d] += pull;
-              lost -= pull * u[d];
+              const Lanes pull = drag * vf * u[d];
+              acceleration[d] = acceleration[d] + pull;
+              lost = lost + pull * u[d];
             }
-          }
         });
     const double scale = over_length(inverse, D + 2);
     for (int d = 0; d < D; ++d)
       rates.acceleration[static_cast<std::size_t>(i) * D + static_cast<std::size_t>(d)] =
           scale / density * sum_of(acceleration[d]);
-    rates.density_rate[i] = scale * sum_of(rate);
+    rates.density_rate[i] = scale * density * sum_of(rate);
     pass.pairs += pairs;
-    // Every pair is met from both its ends.
-    pass.dissipation += 0.5 * scale * receiver.value[Line::volume] * sum_of(lost);
+    // Every pair is met from both its ends, and slopes are negative.
+    pass.dissipation -= 0.5 * scale * volume * sum_of(lost);
   }
 
   Kernel kernel_;

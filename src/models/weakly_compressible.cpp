@@ -24,16 +24,6 @@ std::unique_ptr<Wanted> as(std::unique_ptr<Given> given) {
   return std::unique_ptr<Wanted>(wanted);
 }
 
-/// Largest of the values that `of(i)` has. The order of comparisons does not matter, so the loop
-/// may be shared in any way.
-template <class Of>
-double largest(Index count, Of of) {
-  double most = 0;
-#pragma omp parallel for schedule(static) reduction(max : most) if (parallel_from <= count)
-  for (Index i = 0; i < count; ++i) most = std::max(most, of(i));
-  return most;
-}
-
 }  // namespace
 
 template <int D>
@@ -309,24 +299,8 @@ void WeaklyCompressible<D>::update_rates_ahead(double time, double ahead) {
   work_.mean_neighbours = static_cast<double>(pass.pairs) / std::max<Index>(1, cloud_.count());
   add_operator_terms();
   add_density_correction();
-  add_body_forces(time);
-  note_extremes(time);
+  finish_rates(time);
   rates_are_current_ = true;
-}
-
-/// Fastest fluid particle, and strongest acceleration.
-template <int D>
-void WeaklyCompressible<D>::note_extremes(double time) {
-  const auto norm = [&](std::span<const double> values, Index i) {
-    return Vec<D>::Map(values.data() + std::ptrdiff_t{i} * D).squaredNorm();
-  };
-  highest_speed_ = std::sqrt(largest(cloud_.count(), [&](Index i) { return norm(velocity_, i); }));
-  highest_acceleration_ =
-      std::sqrt(largest(cloud_.count(), [&](Index i) { return norm(acceleration_, i); }));
-  if (highest_speed_ > course_.fastest) {
-    course_.fastest = highest_speed_;
-    course_.fastest_at = time;
-  }
 }
 
 template <int D>

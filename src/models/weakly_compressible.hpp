@@ -81,7 +81,6 @@ class WeaklyCompressible final : public Model {
   void remove_what_left(double time);
   std::string side_left(Index i) const;
   std::string describe_removed(Index i, const std::string& side, double time) const;
-  void note_extremes(double time);
   bool is_wall(Index i) const { return idle_[static_cast<std::size_t>(i)] != 0; }
   const Body& body_of(Index i) const;
   const WallPlace& place_of(Index i) const;
@@ -101,7 +100,7 @@ class WeaklyCompressible final : public Model {
   FluidSpread<D> spread_of(Index i) const;
   void refresh_lines(double time);
   void add_density_correction();
-  void add_body_forces(double time);
+  void finish_rates(double time);
   void move_walls(double time);
   void shift_particles(double time, double step);
   Vec<D> gravity() const;

@@ -96,6 +96,11 @@ void WeaklyCompressible<D>::write_wall_lines() {
 template <int D>
 void WeaklyCompressible<D>::extrapolate_to(Index i) {
   Line& line = lines_[static_cast<std::size_t>(i)];
+  if (neighbours_.lists()[i].empty()) {
+    line.value[Line::volume] = mass_ / state_.density;
+    line.value[Line::pressure] = options_.background_pressure;
+    return;
+  }
   const Body& body = body_of(i);
   const WallPlace& place = place_of(i);
   const WallMotion& motion = motion_of(i);
@@ -130,22 +135,35 @@ void WeaklyCompressible<D>::move_walls(double time) {
       std::copy_n(motion_of(i).velocity.begin(), D, velocity_.begin() + std::ptrdiff_t{i} * D);
 }
 
+/// Adds gravity and the body force to the fluid's rates, sets those of the walls, and notes the
+/// fastest and the most accelerated particle.
 template <int D>
-void WeaklyCompressible<D>::add_body_forces(double time) {
+void WeaklyCompressible<D>::finish_rates(double time) {
   const Vec<D> gravity = this->gravity();
   const bool forced = !options_.force.empty();
-#pragma omp parallel for schedule(static) if (parallel_from <= cloud_.count())
+  const bool extrapolated = options_.walls == WallForm::extrapolated;
+  double speed = 0, most = 0;
+#pragma omp parallel for schedule(static) \
+    reduction(max                         \
+              : speed, most) if (parallel_from <= cloud_.count())
   for (Index i = 0; i < cloud_.count(); ++i) {
     auto acceleration = Vec<D>::Map(acceleration_.data() + std::ptrdiff_t{i} * D);
     if (is_wall(i)) {
       acceleration.setZero();
       if (body_of(i).travels) acceleration = Vec<D>::Map(motion_of(i).acceleration.data());
-      if (options_.walls == WallForm::extrapolated) density_rate_[i] = 0;
+      if (extrapolated) density_rate_[static_cast<std::size_t>(i)] = 0;
     } else {
       acceleration += gravity;
       if (forced) acceleration += force_at(i, time);
     }
+    most = std::max(most, acceleration.squaredNorm());
+    speed = std::max(speed, Vec<D>::Map(velocity_.data() + std::ptrdiff_t{i} * D).squaredNorm());
   }
+  highest_speed_ = std::sqrt(speed);
+  highest_acceleration_ = std::sqrt(most);
+  if (highest_speed_ <= course_.fastest) return;
+  course_.fastest = highest_speed_;
+  course_.fastest_at = time;
 }
 
 template <int D>
