@@ -76,32 +76,37 @@ template <int D>
 void FluidNeighbours<D>::find(std::span<const double> position, std::span<const std::uint8_t> idle,
                               double reach) {
   add_images(position, reach);
-  const auto count = position.size() / D, size = count + images_.size();
-  points_.assign(position.begin(), position.end());
-  points_.resize(size * D);
-  idle_.assign(idle.begin(), idle.end());
-  idle_.resize(size);
-  for (std::size_t k = 0; k < images_.size(); ++k) {
-    const auto owner = static_cast<std::size_t>(images_[k].owner);
-    Vec<D>::Map(points_.data() + (count + k) * D) =
-        Vec<D>::Map(position.data() + owner * D) + images_[k].shift;
-    idle_[count + k] = idle[owner];
+  const auto count = static_cast<Index>(position.size() / D);
+  if (images_.empty()) {
+    find_among(position, idle, count, reach);
+    return;
   }
-  if (search_ == nullptr)
-    grid_.find(points_, static_cast<Index>(count), reach, idle_, lists_);
-  else
-    find_by_search(static_cast<Index>(count), reach);
+  points_.assign(position.begin(), position.end());
+  idle_.assign(idle.begin(), idle.end());
+  for (const PeriodicImage<D>& image : images_) {
+    const auto owner = static_cast<std::size_t>(image.owner);
+    const Vec<D> place = Vec<D>::Map(position.data() + owner * D) + image.shift;
+    points_.insert(points_.end(), place.begin(), place.end());
+    idle_.push_back(idle[owner]);
+  }
+  find_among(points_, idle_, count, reach);
 }
 
+/// The neighbours of the first `count` points.
 template <int D>
-void FluidNeighbours<D>::find_by_search(Index count, double reach) {
+void FluidNeighbours<D>::find_among(std::span<const double> place,
+                                    std::span<const std::uint8_t> idle, Index count, double reach) {
+  if (search_ == nullptr) {
+    grid_.find(place, count, reach, idle, lists_);
+    return;
+  }
   Points<D> points;
-  points.resize(static_cast<Index>(idle_.size()), count);
-  points.position = points_;
+  points.resize(static_cast<Index>(idle.size()), count);
+  points.position.assign(place.begin(), place.end());
   std::ranges::fill(points.length, reach);
   search_->find(points, {.support = 1}, lists_);
   lists_.keep_if([&](Index i, Index j) {
-    return idle_[static_cast<std::size_t>(i)] == 0 || idle_[static_cast<std::size_t>(j)] == 0;
+    return idle[static_cast<std::size_t>(i)] == 0 || idle[static_cast<std::size_t>(j)] == 0;
   });
 }
 

@@ -43,15 +43,16 @@ class FluidNeighbours {
 
  private:
   void add_images(std::span<const double> position, double reach);
-  void find_by_search(Index count, double reach);
+  void find_among(std::span<const double> place, std::span<const std::uint8_t> idle, Index count,
+                  double reach);
 
   Vec<D> lower_, upper_;
   std::array<bool, 3> periodic_;
   CellGrid<D> grid_;
   std::unique_ptr<NeighbourSearch<D>> search_;  ///< in place of the grid; null if the grid does
   std::vector<PeriodicImage<D>> images_;
-  std::vector<double> points_;  ///< places of particles and images
-  std::vector<std::uint8_t> idle_;
+  std::vector<double> points_;      ///< places of particles and images, where there are images
+  std::vector<std::uint8_t> idle_;  ///< of the same
   std::vector<Index> id_;
   NeighbourLists lists_;
 };

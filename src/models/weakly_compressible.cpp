@@ -110,8 +110,9 @@ void WeaklyCompressible<D>::fill_cloud() {
     if (body_of(i).kind == BodyKind::fluid) ++fluids_;
     start_particle(i);
   }
-  start_.position = {};
-  start_.body = {};
+  // An assignment would keep their memory.
+  std::vector<double>().swap(start_.position);
+  std::vector<std::int32_t>().swap(start_.body);
 }
 
 template <int D>

@@ -54,14 +54,15 @@ void CellGrid<D>::sort() {
   order_.resize(cell_.size());
 #pragma omp parallel for schedule(static) num_threads(pieces)
   for (Index piece = 0; piece < pieces; ++piece)
-    for (auto i = first(piece); i < first(piece + 1); ++i) ++count_[piece * cells + cell_[i]];
+    for (auto i = first(piece), end = first(piece + 1); i < end; ++i)
+      ++count_[piece * cells + cell_[i]];
   Index sum = 0;
   for (std::size_t cell = 0; cell < cells; ++cell)
     for (Index piece = 0; piece < pieces; ++piece)
       sum += std::exchange(count_[piece * cells + cell], sum);
 #pragma omp parallel for schedule(static) num_threads(pieces)
   for (Index piece = 0; piece < pieces; ++piece)
-    for (auto i = first(piece); i < first(piece + 1); ++i)
+    for (auto i = first(piece), end = first(piece + 1); i < end; ++i)
       order_[count_[piece * cells + cell_[i]]++] = static_cast<Index>(i);
 }
 
@@ -95,11 +96,15 @@ void CellGrid<D>::spread(std::span<const double> position, Index receivers, bool
   others_ = receivers < count;
   cell_.resize(static_cast<std::size_t>(count));
   for (auto& x : place_) x.resize(static_cast<std::size_t>(count) + scan_lanes);
+  for (auto& x : rough_) x.resize(static_cast<std::size_t>(count) + scan_lanes);
 #pragma omp parallel for schedule(static) if (parallel_from <= count)
   for (Index k = 0; k < count; ++k) {
     const double* at = position.data() + std::ptrdiff_t{sorted ? k : order_[k]} * D;
     std::array<double, D> place;
-    for (int d = 0; d < D; ++d) place[d] = place_[d][k] = at[d];
+    for (int d = 0; d < D; ++d) {
+      place[d] = place_[d][k] = at[d];
+      rough_[d][k] = static_cast<float>(layout_.in_rough_unit(at[d] - layout_.corner[d]));
+    }
     cell_[k] = layout_.cell_at(place) + (k < receivers ? 0 : layout_.cells);
   }
 }
@@ -130,8 +135,11 @@ void CellGrid<D>::find(std::span<const double> position, Index receivers, double
     spread(position, receivers, false);
   }
   mark_starts();
-  SortedPoints<D> points{layout_, {}, cell_.data(), start_.data(), others_};
-  for (int d = 0; d < D; ++d) points.place[d] = place_[d].data();
+  SortedPoints<D> points{layout_, {}, {}, cell_.data(), start_.data(), others_};
+  for (int d = 0; d < D; ++d) {
+    points.place[d] = place_[d].data();
+    points.rough[d] = rough_[d].data();
+  }
   const Index blocks = (receivers + block_size - 1) / block_size;
 #pragma omp parallel if (parallel_from <= receivers)
   {

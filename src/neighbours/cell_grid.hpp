@@ -45,6 +45,7 @@ class CellGrid {
   std::vector<Index> count_;                  ///< of points by piece and cell, and where they go
   std::vector<Index> start_;                  ///< place of a cell's first point
   std::array<std::vector<double>, D> place_;  ///< coordinates in order, and some to spare
+  std::array<std::vector<float>, D> rough_;   ///< the same in the layout's rough unit
 };
 
 /// Neighbour search by a grid of cells, for points whose lengths vary little: it tries all points

@@ -65,14 +65,16 @@ CellLayout<D>::CellLayout(std::span<const double> position, double reach) {
   double farthest = 0;
   for (int d = 0; d < D; ++d)
     farthest = std::max({farthest, std::abs(box.lower[d]), std::abs(box.upper[d])});
-  slack = 2e-15 * farthest;
   double side = std::max(reach * widening, farthest / farthest_side);
   if (side < std::numeric_limits<double>::min()) side = 1;
+  corner = box.lower;
+  per_rough_unit = 1 / side;
   std::array<double, D> wanted;
   for (int d = 0; d < D; ++d) {
     width[d] = d == 0 ? side / fineness : side;
     inverse[d] = 1 / width[d];
     lowest[d] = on_axis(box.lower[d], d) - rim<D>(d);
+    rough_extent = std::max(rough_extent, in_rough_unit(box.upper[d] - box.lower[d]));
     wanted[d] = on_axis(box.upper[d], d) - lowest[d] + rim<D>(d) + 1;
   }
   fold(wanted, position.size() / D);

@@ -18,7 +18,7 @@ namespace mote {
 /// the last one is the first.
 template <int D>
 struct CellLayout {
-  static constexpr int fineness = 8;  ///< cells along x in a reach
+  static constexpr int fineness = 2;  ///< cells along x in a reach
 
   /// For points at these places, D numbers each, of which there must be at least one.
   CellLayout(std::span<const double> position, double reach);
@@ -27,8 +27,10 @@ struct CellLayout {
   std::array<double, D> width{}, inverse{};  ///< of a cell
   std::array<double, D> lowest{};            ///< number on the axis of the first cell
   std::array<Index, D> extent{};             ///< number of cells
-  double slack = 0;                          ///< rounding of the place of a cell's edge
   Index cells = 0;
+  std::array<double, D> corner{};  ///< of the box of the cloud
+  double rough_extent = 0;         ///< longest edge of that box in rough units
+  double per_rough_unit = 0;       ///< inverse of the unit, which is about the reach
 
   /// Number of the cell on axis d, before folding.
   double on_axis(double x, int d) const { return std::floor(x * inverse[d]); }
@@ -37,6 +39,13 @@ struct CellLayout {
     const auto from_lowest = static_cast<Index>(cell_on_axis - lowest[d]);
     return from_lowest < extent[d] ? from_lowest : from_lowest % extent[d];
   }
+
+  /// Squared distances up to 1 of places that are given in single precision, in rough units from
+  /// the corner, are wrong by less than this.
+  double rough_margin() const { return 0x1p-21 * (1 + rough_extent); }
+  /// Whether so few distances fall into that margin that it is worth the while.
+  bool has_rough_unit() const { return rough_margin() < 0x1p-11; }
+  double in_rough_unit(double length) const { return length * per_rough_unit; }
 
   /// The cell at a place.
   Index cell_at(const std::array<double, D>& place) const {
