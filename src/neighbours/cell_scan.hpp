@@ -259,10 +259,10 @@ class CellScan {
   Index own_begin_ = 0;      ///< a point of the receiver's segment
   int own_pack_ = 0;         ///< the pack that starts with it
   std::array<const Index*, 2 * around> row_start_;
-  std::array<Index, 4 * around + 1> begin_, end_;              ///< of a row's points within reach
-  std::array<Index, most_packs> pack_;                         ///< first point of a pack
-  std::array<LaneBits, most_packs> lanes_;                     ///< lanes that are candidates
-  std::array<LaneBits, most_packs + 1> near_;  ///< lanes that are near
+  std::array<Index, 4 * around + 1> begin_, end_;  ///< of a row's points within reach
+  std::array<Index, most_packs> pack_;             ///< first point of a pack
+  std::array<LaneBits, most_packs> lanes_;         ///< lanes that are candidates
+  std::array<LaneBits, most_packs + 1> near_;      ///< lanes that are near
 };
 
 }  // namespace mote
