@@ -64,7 +64,7 @@ struct SortedPoints {
 /// candidates are listed once for all receivers of a cell and then tried without a branch, because
 /// a wrong guess of the processor costs as much as some packs.
 ///
-/// Candidates are tried in single precision first. Only if that cannot tell for one of them, which
+/// Candidates are tried in single precision first. Only where that cannot tell, since one of them
 /// is as near to the rim as it rounds, all are tried in double precision.
 template <int D>
 class CellScan {
@@ -197,7 +197,7 @@ class CellScan {
 
   /// Finds which lanes of the packs are possibly near; returns whether all these certainly are.
   template <class Real>
-  [[gnu::flatten]] bool compare(const std::array<const Real*, D>& places, Real possible,
+  bool compare(const std::array<const Real*, D>& places, Real possible,
                                 Real certain) {
     using Lanes = CandidateLanes<Real>;
     const auto place = places;
@@ -222,6 +222,7 @@ class CellScan {
 
   /// Writes the points that are near.
   Index* write(Index* list) const {
+    fetch_ahead(list);
     const int packs = packs_;
     for (int k = 0; k < packs; ++k) {
       const unsigned near = near_[k] & lanes_[k];
@@ -230,6 +231,13 @@ class CellScan {
       list = write_lanes(list, near >> list_lanes, first + list_lanes);
     }
     return list;
+  }
+
+  /// Asks for the memory of the lists some receivers ahead: waiting for it costs a tenth of a
+  /// search.
+  static void fetch_ahead(const Index* list) {
+    constexpr int line = 64 / sizeof(Index), distance = 16 * line;
+    for (int k = 0; k < 4; ++k) __builtin_prefetch(list + distance + k * line, 1);
   }
 
   [[gnu::always_inline]] static Index* write_lanes(Index* list, unsigned near, IndexLanes first) {
