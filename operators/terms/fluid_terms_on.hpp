@@ -39,16 +39,17 @@ class FluidTermsOn final : public FluidTerms<D> {
                    const FluidRates<D>& rates) const override {
     const Index receivers = lists.receivers();
     const Index blocks = (receivers + block_size - 1) / block_size;
-    std::vector<FluidPass> passes(static_cast<std::size_t>(blocks));
+    passes_.assign(static_cast<std::size_t>(blocks), {});
 #pragma omp parallel for schedule(dynamic, 4) if (parallel_from <= receivers)
     for (Index block = 0; block < blocks; ++block) {
       const Index end = std::min(receivers, (block + 1) * block_size);
       for (Index i = block * block_size; i < end; ++i)
         if (!idle[i])
-          add_up_one(lines, i, lists[i], smoothing_length, coefficients, rates, passes[block]);
+          add_up_one(lines, i, lists[i], smoothing_length, coefficients, rates,
+                     passes_[static_cast<std::size_t>(block)]);
     }
     FluidPass all;
-    for (const FluidPass& pass : passes) {
+    for (const FluidPass& pass : passes_) {
       all.pairs += pass.pairs;
       all.dissipation += pass.dissipation;
     }
@@ -236,6 +237,7 @@ class FluidTermsOn final : public FluidTerms<D> {
   }
 
   Kernel kernel_;
+  mutable std::vector<FluidPass> passes_;  ///< of every block; work for one `add_up` at a time
 };
 
 }  // namespace mote

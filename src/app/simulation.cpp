@@ -126,7 +126,7 @@ void Simulation::start_afresh() {
 void Simulation::advance(double time, double step) {
   model_->begin_step(time, step);
   if (strict_ && !model_->warnings().empty())
-    throw NumericalFailure(model_->warnings().front(), {0},
+    throw NumericalFailure(model_->warnings().front(), {},
                            "--strict makes an error of this warning");
   integrator_->advance_one_step(*model_, time, step);
   model_->end_step(time, step);

@@ -231,17 +231,15 @@ void WeaklyCompressible<D>::find_neighbours() {
 template <int D>
 void WeaklyCompressible<D>::rearrange(std::span<const Index> order) {
   cloud_.rearrange(order);
-  std::vector<double> kept(acceleration_.size());
-  kept.swap(acceleration_);
-  acceleration_.resize(order.size() * D);
-  for (std::size_t k = 0; k < order.size(); ++k)
-    std::copy_n(kept.begin() + std::ptrdiff_t{order[k]} * D, D,
-                acceleration_.begin() + static_cast<std::ptrdiff_t>(k) * D);
-  kept.resize(density_rate_.size());
-  kept.swap(density_rate_);
-  density_rate_.resize(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
-    density_rate_[k] = kept[static_cast<std::size_t>(order[k])];
+  const auto put = [&](std::vector<double>& values, std::size_t components) {
+    kept_.resize(order.size() * components);
+    for (std::size_t k = 0; k < order.size(); ++k)
+      std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(components) * order[k], components,
+                  kept_.begin() + static_cast<std::ptrdiff_t>(components * k));
+    values.assign(kept_.begin(), kept_.end());
+  };
+  put(acceleration_, D);
+  put(density_rate_, 1);
   name_parts();
 }
 

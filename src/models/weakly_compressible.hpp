@@ -132,7 +132,7 @@ class WeaklyCompressible final : public Model {
 
   Cloud cloud_;
   std::span<double> position_, velocity_, density_, pressure_, body_, id_, surface_;
-  std::vector<double> acceleration_, density_rate_;
+  std::vector<double> acceleration_, density_rate_, kept_;
   std::vector<Evolving> drifted_, kicked_;
   std::vector<std::uint8_t> idle_;
 

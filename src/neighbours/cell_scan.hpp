@@ -197,8 +197,7 @@ class CellScan {
 
   /// Finds which lanes of the packs are possibly near; returns whether all these certainly are.
   template <class Real>
-  bool compare(const std::array<const Real*, D>& places, Real possible,
-                                Real certain) {
+  bool compare(const std::array<const Real*, D>& places, Real possible, Real certain) {
     using Lanes = CandidateLanes<Real>;
     const auto place = places;
     const int packs = packs_;

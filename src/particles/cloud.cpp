@@ -21,7 +21,7 @@ std::span<double> Cloud::add(std::string name, FieldKind kind, std::string si_un
 }
 
 void Cloud::rearrange(std::span<const Index> order) {
-  std::vector<double> values;
+  std::vector<double>& values = rearranged_;
   for (Field& field : fields_) {
     const auto components = static_cast<std::size_t>(field.components);
     values.resize(order.size() * components);

@@ -52,6 +52,7 @@ class Cloud {
   int dimension_;
   Index count_;
   std::vector<Field> fields_;
+  std::vector<double> rearranged_;  ///< work for `rearrange`
 };
 
 }  // namespace mote

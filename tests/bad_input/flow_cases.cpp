@@ -60,6 +60,8 @@ class FlowThatCannotBe : public BadScenario {};
 TEST_P(FlowThatCannotBe, IsRefused) { expect_refused(); }
 
 const std::vector<ScenarioCase> flows{
+    {"corners_of_another_dimension", flow_line(3, "domain: {lower: @[0], upper: [2, 1]}"),
+     "'lower' needs 2 numbers, one a dimension, and has 1"},
     {"fluid_beyond_the_domain", flow_line(5, "regions: [@" + water + "[2, 2]}]}]"),
      "the fluid 'water' goes beyond the domain, to (0.05, 1.05)"},
     {"wall_in_the_fluid",

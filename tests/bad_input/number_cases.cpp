@@ -102,8 +102,8 @@ const std::vector<ScenarioCase> bad_domains{
     {"dimension_4", line(2, "dimension: @4"), "'dimension' must be from 1 to 3, and is 4"},
     {"dimension_fraction", line(2, "dimension: @1.5"), "'dimension' must be a whole number"},
     {"dimension_2_with_corners_of_1",
-     lines({{2, "dimension: 2"}, {4, "domain: {lower: @[0], upper: [L]}"}}),
-     "'lower' needs 2 numbers, one a dimension, and has 1"},
+     lines({{2, "dimension: @2"}, {4, "domain: {lower: [0], upper: [L]}"}}),
+     "the model pressureless_gas lives on a line: dimension must be 1, and is 2"},
     {"dimension_2", lines({{2, "dimension: @2"}, {4, "domain: {lower: [0, 0], upper: [L, L]}"}}),
      "the model pressureless_gas lives on a line: dimension must be 1, and is 2"}};
 INSTANTIATE_TEST_SUITE_P(Table, BadDomain, testing::ValuesIn(bad_domains), by_label);
