@@ -17,7 +17,7 @@ int run(const Catalogue& catalogue, const RunOptions& options) {
   const auto columns = history_columns(simulation);
   folder.history().begin(columns);
   folder.history().add(start, columns);
-  simulation.model().complete_fields();
+  simulation.model().complete_snapshot();
   folder.add_snapshot(start, simulation.fingerprint(), simulation.model().cloud(),
                       scene_of(simulation.model()));
   return RunLoop(simulation, folder, progress_style(options), start).go_on();

@@ -69,7 +69,7 @@ void RunLoop::run_to(std::int64_t frame) {
     progress_.step_done(now_.time);
   }
   now_.frame = frame;
-  simulation_.model().complete_fields();
+  simulation_.model().complete_snapshot();
   folder_.add_snapshot(now_, simulation_.fingerprint(), simulation_.model().cloud(),
                        scene_of(simulation_.model()));
   progress_.snapshot_done(now_.step, now_.time);

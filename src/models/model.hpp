@@ -90,8 +90,10 @@ class Model : public System {
     return std::numeric_limits<double>::infinity();
   }
 
-  /// Brings fields that no step needs up to date, for whoever looks at the cloud.
+  /// Brings fields that no step needs up to date: those that probes look at, and all that a
+  /// snapshot shows.
   virtual void complete_fields() {}
+  virtual void complete_snapshot() { complete_fields(); }
 
   /// Forgets whatever a restart would not know: called at every snapshot, and so before the first
   /// step.

@@ -50,6 +50,7 @@ class WeaklyCompressible final : public Model {
   void end_step(double time, double step) override;
   void update_dependent_fields() override {}
   void complete_fields() override;
+  void complete_snapshot() override;
   void inspect() const override;
   void start_afresh() override;
   void restore(const Cloud& state) override;

@@ -142,16 +142,23 @@ void WeaklyCompressible<D>::continue_slopes_into_walls() {
   }
 }
 
-/// Pressure everywhere, and where the free surface is.
+/// Pressure everywhere.
 template <int D>
 void WeaklyCompressible<D>::complete_fields() {
   refresh_lines(now_);
-#pragma omp parallel for schedule(dynamic, 256) if (parallel_from <= cloud_.count())
-  for (Index i = 0; i < cloud_.count(); ++i) {
+#pragma omp parallel for schedule(static) if (parallel_from <= cloud_.count())
+  for (Index i = 0; i < cloud_.count(); ++i)
     pressure_[i] = lines_[static_cast<std::size_t>(i)].value[Line::pressure];
-    if (options_.free_surface)
-      surface_[i] = is_wall(i) ? 0 : smallest_eigenvalue<D>(spread_of(i).moment) < near_surface;
-  }
+}
+
+/// Where the free surface is.
+template <int D>
+void WeaklyCompressible<D>::complete_snapshot() {
+  complete_fields();
+  if (!options_.free_surface) return;
+#pragma omp parallel for schedule(dynamic, 256) if (parallel_from <= cloud_.count())
+  for (Index i = 0; i < cloud_.count(); ++i)
+    surface_[i] = is_wall(i) ? 0 : smallest_eigenvalue<D>(spread_of(i).moment) < near_surface;
 }
 
 template class WeaklyCompressible<2>;

@@ -171,7 +171,7 @@ TEST(FreeSurface, IsFlaggedInATankAndNothingInsideIs) {
   with_wall(flow, 0, true);
   with_wall(flow, 1, false);
   const auto tank = make_flow<2>(flow);
-  tank->complete_fields();
+  tank->complete_snapshot();
   for (const Index i : fluid_of(*tank)) {
     const double depth = 0.5 - vector_of(*tank, "position", i)[1];
     const double flag = tank->cloud().values("surface")[i];
@@ -184,7 +184,7 @@ TEST(FreeSurface, IsFlaggedInATankAndNothingInsideIs) {
   // Negative control: with a lid there is none.
   with_wall(flow, 1, true);
   const auto closed = make_flow<2>(flow);
-  closed->complete_fields();
+  closed->complete_snapshot();
   EXPECT_EQ(std::ranges::max(closed->cloud().values("surface")), 0);
 }
 

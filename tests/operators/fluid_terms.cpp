@@ -179,14 +179,14 @@ TYPED_TEST(FluidTermsInSpace, SumUpTheDensity) {
 TYPED_TEST(FluidTermsInSpace, AreSeenFromAWall) {
   constexpr int D = TestFixture::D;
   const auto& fluid = this->fluid;
-  const Surface<D> surface{0.2, Vec<D>::Unit(1), Vec<D>::LinSpaced(0.3, -0.4)};
+  const Surface<D> surface{0.2, 0.1, Vec<D>::Unit(1), Vec<D>::LinSpaced(0.3, -0.4)};
   for (const auto& list : lists_of_first(this->everybody)) {
     PlainSum weight, pressure, offset[D], velocity[D], slope[D], width;
     for (const Index j : list) {
       const PlainPair<D> pair(fluid, this->kernel, 0, static_cast<std::size_t>(j));
       const Vec<D> speed = fluid.lines[static_cast<std::size_t>(j)].speed();
       const double vw = pair.volume * pair.w;
-      const double height = std::max(0.0, -pair.x.dot(surface.normal) - surface.depth);
+      const double height = std::max(surface.nearest, -pair.x.dot(surface.normal) - surface.depth);
       weight += vw;
       pressure += vw * pair.pressure_j;
       width += vw * height * height;
