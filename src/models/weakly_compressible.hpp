@@ -141,7 +141,9 @@ class WeaklyCompressible final : public Model {
   NeighbourLists operator_lists_;
   std::vector<Index> number_, receiver_of_operator_;
   std::vector<Line> lines_of_operator_;
-  std::vector<Vec<D>> slopes_;  ///< of the density
+  std::vector<Vec<D>> slopes_;       ///< of the density
+  std::vector<Vec<D>> gains_;        ///< of velocity by shifting
+  std::vector<std::uint8_t> moves_;  ///< whether shifting moves a particle
   FluidNeighbours<D> neighbours_;
   std::vector<Index> order_;
   std::vector<Line> lines_;

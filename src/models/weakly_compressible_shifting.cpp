@@ -52,8 +52,8 @@ void WeaklyCompressible<D>::shift_particles(double time, double step) {
   refresh_lines(time);
   const double strength = options_.shifting * 4 * smoothing_length_ * highest_speed_ * step;
   const double limit = 0.1 * start_.spacing;
-  std::vector<Vec<D>> gains(static_cast<std::size_t>(cloud_.count()), Vec<D>::Zero());
-  std::vector<std::uint8_t> moves(gains.size());
+  gains_.assign(static_cast<std::size_t>(cloud_.count()), Vec<D>::Zero());
+  moves_.assign(gains_.size(), 0);
 #pragma omp parallel for schedule(dynamic, 256) if (parallel_from <= cloud_.count())
   for (Index i = 0; i < cloud_.count(); ++i) {
     if (is_wall(i)) continue;
@@ -71,19 +71,19 @@ void WeaklyCompressible<D>::shift_particles(double time, double step) {
     if (shift.norm() > limit) shift *= limit / shift.norm();
     const Mat<D> inverse = spread.moment.inverse();
     Vec<D>::Map(position_.data() + std::ptrdiff_t{i} * D) += shift;
-    gains[static_cast<std::size_t>(i)] = spread.velocity * inverse * shift;
-    moves[static_cast<std::size_t>(i)] = 1;
+    gains_[static_cast<std::size_t>(i)] = spread.velocity * inverse * shift;
+    moves_[static_cast<std::size_t>(i)] = 1;
     if (options_.density_form == FluidDensity::continuity)
       density_[i] += spread.density.dot(inverse * shift);
   }
   Vec<D> mean = Vec<D>::Zero();
-  for (const Vec<D>& gain : gains) mean += gain;
-  mean /= std::max<double>(1, static_cast<double>(std::ranges::count(moves, 1)));
+  for (const Vec<D>& gain : gains_) mean += gain;
+  mean /= std::max<double>(1, static_cast<double>(std::ranges::count(moves_, 1)));
 #pragma omp parallel for schedule(static) if (parallel_from <= cloud_.count())
   for (Index i = 0; i < cloud_.count(); ++i)
-    if (moves[static_cast<std::size_t>(i)] != 0)
+    if (moves_[static_cast<std::size_t>(i)] != 0)
       Vec<D>::Map(velocity_.data() + std::ptrdiff_t{i} * D) +=
-          gains[static_cast<std::size_t>(i)] - mean;
+          gains_[static_cast<std::size_t>(i)] - mean;
 }
 
 /// The part of the density diffusion that leaves linear densities alone (Antuono et al. 2010):

@@ -61,7 +61,7 @@ std::size_t wall_named(const std::string& name, const Model& model) {
 }
 
 std::vector<Reading> force_readings(const Probe& probe, const Model& model) {
-  const Triple force = model.force_on(wall_named(probe.on, model));
+  const Triple force = model.force_on(wall_named(probe.wall, model));
   std::vector<Reading> readings;
   for (int d = 0; d < model.cloud().dimension(); ++d)
     readings.push_back({probe.name + "_" + axis_names[d], force[static_cast<std::size_t>(d)]});

@@ -19,9 +19,9 @@ Observer::Observer(std::vector<Probe> probes, const Triple& period, const Model&
 void Observer::refuse_what_is_not_there(const Model& model) const {
   for (std::size_t k = 0; k < probes_.size(); ++k) {
     const Probe& probe = probes_[k];
-    std::string key = fmt::format("probes.{}.on", k);
+    std::string key = fmt::format("probes.{}.wall", k);
     try {
-      if (probe.type == "force") wall_named(probe.on, model);
+      if (probe.type == "force") wall_named(probe.wall, model);
       for (std::size_t f = 0; f < probe.fields.size(); ++f) {
         key = fmt::format("probes.{}.fields.{}", k, f);
         columns_of(probe.fields[f], model.cloud());

@@ -35,7 +35,7 @@ void describe_rest(Description& d, Probe& probe, const std::string& type) {
   }
   if (type == "point" || type == "line")
     d.words({"fields", "what is measured there", true}, probe.fields, fields);
-  if (type == "force") d.text({"on", "name of the wall", true}, probe.on);
+  if (type == "force") d.text({"wall", "name of the wall", true}, probe.wall);
   if (type == "gauge")
     d.numbers({"at", "place, one number for every axis but the last", true}, probe.at);
   if (type == "front") d.choice({"along", "the way in which it runs"}, probe.along, ways);

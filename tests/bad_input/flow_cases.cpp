@@ -130,7 +130,7 @@ const std::vector<ScenarioCase> flows{
      "this viscosity needs 'kinematic', and it is 0"},
     {"tension_without_a_density", flow_line(5, "initial: {pressure: @\"-200\"}"),
      "no density has the pressure -200 at x = 0.05"},
-    {"force_on_an_unknown_wall", flow_line(5, "probes: [{name: drag, type: force, on: @lid}]"),
+    {"force_on_an_unknown_wall", flow_line(5, "probes: [{name: drag, type: force, wall: @lid}]"),
      "there is no wall 'lid'; there are: y_lower"},
     {"wall_and_periodic",
      flow_line(3,

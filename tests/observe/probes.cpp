@@ -173,7 +173,7 @@ TEST(Speed, IsOfTheFluidAlone) {
 
 TEST(Force, IsThatOnTheNamedWall) {
   const StandingParticles model = pool(2, 0.1);
-  const Observer observer({{.name = "f", .type = "force", .on = "bed"}}, {}, model);
+  const Observer observer({{.name = "f", .type = "force", .wall = "bed"}}, {}, model);
   const auto readings = observer.readings(model);
   ASSERT_EQ(readings.size(), 2u);
   EXPECT_EQ(readings[0].name, "f_x");
@@ -192,9 +192,9 @@ std::string refusal(const std::vector<Probe>& probes) {
 }
 
 TEST(Observer, RefusesWhatIsNotThere) {
-  EXPECT_THAT(refusal({{.name = "f", .type = "force", .on = "lid"}}),
-              HasSubstr("probes.0.on: there is no wall 'lid'; there are: bed"));
-  EXPECT_THAT(refusal({{.name = "f", .type = "force", .on = "water"}}), HasSubstr("no wall"));
+  EXPECT_THAT(refusal({{.name = "f", .type = "force", .wall = "lid"}}),
+              HasSubstr("probes.0.wall: there is no wall 'lid'; there are: bed"));
+  EXPECT_THAT(refusal({{.name = "f", .type = "force", .wall = "water"}}), HasSubstr("no wall"));
   Probe density = point({0.5, 0.5});
   density.fields = {"pressure", "density"};
   EXPECT_THAT(refusal({density}),
