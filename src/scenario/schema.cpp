@@ -52,8 +52,9 @@ class SchemaWriter final : public Description {
     Json* outer = object_;
     for (const Choice& choice : choices) {
       Json alternative;
-      alternative["if"] = {{"properties", {{key.name, exactly(choice.name)}}},
-                           {"required", {key.name}}};
+      alternative["if"]["properties"] = {{key.name, exactly(choice.name)}};
+      const bool holds_if_absent = choice.name == value;
+      if (!holds_if_absent) alternative["if"]["required"] = {key.name};
       object_ = &alternative["then"];
       rest(choice.name);
       if (!alternative["then"].is_null()) (*outer)["allOf"].push_back(alternative);
