@@ -18,7 +18,7 @@ struct Probe {
   std::int64_t points = 101;        ///< on a line, both ends among them
   std::vector<std::string> fields;  ///< of a point or line: velocity, velocity_x, pressure, ...
   bool all = false;                 ///< whether each point of a line has columns of its own
-  std::string wall;                   ///< the wall whose force is measured
+  std::string wall;                 ///< the wall whose force is measured
   std::string along = "x";          ///< the way in which the front of the fluid runs: x, -x, ...
 };
 
