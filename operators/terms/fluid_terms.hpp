@@ -61,7 +61,7 @@ struct Surface {
 template <int D>
 struct FluidSpread {
   Mat<D> moment = Mat<D>::Zero();    ///< -sum V_j F x x^T: the unit matrix well inside a fluid
-  Vec<D> crowding = Vec<D>::Zero();  ///< sum V_j (1 + pairing) grad W: points to where they crowd
+  Vec<D> crowding = Vec<D>::Zero();  ///< sum V_j (1 + ...) grad W: points to where they crowd
   Mat<D> velocity = Mat<D>::Zero();  ///< sum V_j (u_j - u_i) (grad W)^T
   Vec<D> density = Vec<D>::Zero();   ///< sum V_j (rho_j - rho_i) grad W
 };
@@ -108,8 +108,8 @@ class FluidTerms : public AnyFluidTerms {
                                   std::span<const Index> neighbours, double smoothing_length,
                                   std::span<const Vec<D>> slopes) const = 0;
 
-  /// How the neighbours of receiver i lie; `pairing` is W at one spacing, against which pairs that
-  /// come closer count more.
+  /// How the neighbours of receiver i lie. Pairs that come closer than a spacing count more in the
+  /// crowding, by 1 + 0.2 (W_ij/W(spacing))^4 (Monaghan 2000, as in Sun et al. 2017, (10)).
   virtual FluidSpread<D> spread(std::span<const PairLine<D>> lines, Index i,
                                 std::span<const Index> neighbours, double smoothing_length,
                                 double mass, double spacing) const = 0;

@@ -8,8 +8,8 @@
 
 namespace mote {
 
-/// The difference of a receiver to eight neighbours, and what a kernel makes of it.
-template <int D, class Kernel>
+/// The difference of a receiver to eight neighbours, and their distance in smoothing lengths.
+template <int D>
 struct EightPairs {
   Lanes x[D], squared, q;
 
@@ -63,7 +63,7 @@ class FluidTermsOn final : public FluidTerms<D> {
     Lanes sum = 0;
     std::size_t missing = 0;
     for_each_eight<D>(lines, i, neighbours, [&](const LineLanes& lanes, std::size_t valid) {
-      sum += value_of(kernel_, EightPairs<D, Kernel>(receiver, lanes, inverse).q);
+      sum += value_of(kernel_, EightPairs<D>(receiver, lanes, inverse).q);
       missing = lane_count - valid;
     });
     const double own = kernel_.value(0.0) * (1 - static_cast<double>(missing));
@@ -78,7 +78,7 @@ class FluidTermsOn final : public FluidTerms<D> {
     Lanes weight = 0, pressure = 0, offset[D], velocity[D], slope[D], width = 0;
     for (int d = 0; d < D; ++d) offset[d] = velocity[d] = slope[d] = 0;
     for_each_eight<D>(lines, i, neighbours, [&](const LineLanes& lanes, std::size_t valid) {
-      const EightPairs<D, Kernel> pair(receiver, lanes, inverse);
+      const EightPairs<D> pair(receiver, lanes, inverse);
       Lanes w = value_of(kernel_, pair.q);
       for (std::size_t lane = valid; lane < lane_count; ++lane) w[lane] = 0;
       const Lanes vw = w * lanes[Line::volume];
@@ -134,7 +134,7 @@ class FluidTermsOn final : public FluidTerms<D> {
       for (int e = 0; e < D; ++e) moment[d][e] = velocity[d][e] = 0;
     }
     for_each_eight<D>(lines, i, neighbours, [&](const LineLanes& lanes, std::size_t) {
-      const EightPairs<D, Kernel> pair(receiver, lanes, inverse);
+      const EightPairs<D> pair(receiver, lanes, inverse);
       const Lanes f = slope_over_q_of(kernel_, pair.q);
       const Lanes vf = f * lanes[Line::volume];
       const Lanes ratio = value_of(kernel_, pair.q) * at_spacing, square = ratio * ratio;
@@ -194,7 +194,7 @@ class FluidTermsOn final : public FluidTerms<D> {
     for_each_eight<D>(
         lines, i,
         neighbours, [&](const LineLanes& lanes, std::size_t valid) __attribute__((always_inline)) {
-          const EightPairs<D, Kernel> pair(receiver, lanes, inverse);
+          const EightPairs<D> pair(receiver, lanes, inverse);
           pairs += static_cast<int>(valid) - popcount(pair.q > support);
           const Lanes f = slope_over_q_of(kernel_, pair.q);
           const Lanes vf = f * lanes[Line::volume];

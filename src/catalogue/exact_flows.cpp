@@ -1,7 +1,5 @@
 #include "mote/catalogue/exact_flows.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -104,12 +102,10 @@ std::unique_ptr<FlowSolution> taylor_green_from(const FlowSetup& setup) {
   for (const Triple& place : places)
     lattice.mean_pressure += flow.initial("pressure", place) / static_cast<double>(places.size());
   auto solution = std::make_unique<TaylorGreen>(lattice);
-  const double difference = flow.velocity_difference(*solution, places);
-  if (difference > same_start)
-    flow.refuse(
-        fmt::format("starts with u = U sin(k x + a) cos(k y + b), v = -U cos(k x + a) sin(k y + b) "
-                    "in waves that fit the box, and this start differs by {:.2g} of U",
-                    difference));
+  flow.need_velocities_of(
+      *solution, places,
+      "starts with u = U sin(k x + a) cos(k y + b), v = -U cos(k x + a) sin(k y + b) in waves that "
+      "fit the box, and this start differs by {:.2g} of U");
   return solution;
 }
 
@@ -123,12 +119,9 @@ std::unique_ptr<FlowSolution> drop_from(const FlowSetup& setup) {
   if (drop.rate == 0) flow.refuse("needs a drop that stretches, and this one is at rest");
   drop.density = flow.parameter("density");
   auto solution = std::make_unique<EllipticalDrop>(drop);
-  const double difference = flow.velocity_difference(*solution, flow.fluid());
-  if (difference > same_start)
-    flow.refuse(
-        fmt::format("starts with u = A (x - x0), v = -A (y - y0), and this start differs "
-                    "by {:.2g} of the largest velocity",
-                    difference));
+  flow.need_velocities_of(*solution, flow.fluid(),
+                          "starts with u = A (x - x0), v = -A (y - y0), and this start differs by "
+                          "{:.2g} of the largest velocity");
   return solution;
 }
 

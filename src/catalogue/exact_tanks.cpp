@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numbers>
 
@@ -91,12 +89,10 @@ std::unique_ptr<FlowSolution> standing_wave_from(const FlowSetup& setup) {
   if (best_energy <= same_start * same_start * best.gravity * best.depth)
     flow.refuse("needs a wave, this water is level and at rest");
   auto solution = std::make_unique<StandingWave>(best);
-  const double difference = flow.velocity_difference(*solution, flow.fluid());
-  if (difference > same_start)
-    flow.refuse(
-        fmt::format("starts from rest or with the velocities of one wave of linear theory with a "
-                    "crest at the left end, and these differ by {:.2g} of the largest",
-                    difference));
+  flow.need_velocities_of(
+      *solution, flow.fluid(),
+      "starts from rest or with the velocities of one wave of linear theory with a crest at the "
+      "left end, and these differ by {:.2g} of the largest");
   return solution;
 }
 

@@ -98,4 +98,10 @@ void FlowStart::need_no_gravity() const {
   if (gravity() != Triple{}) refuse("has no gravity, this flow has");
 }
 
+void FlowStart::need_velocities_of(const FlowSolution& solution, const std::vector<Triple>& places,
+                                   std::string_view refusal) const {
+  const double difference = velocity_difference(solution, places);
+  if (difference > same_start) refuse(fmt::format(fmt::runtime(refusal), difference));
+}
+
 }  // namespace mote

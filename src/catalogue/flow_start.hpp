@@ -27,15 +27,17 @@ class FlowStart {
   double lowest(std::size_t axis) const;
   double highest(std::size_t axis) const;
 
-  /// Largest difference of the initial velocity from that of a solution, relative to the largest
-  /// velocity, if there is any.
-  double velocity_difference(const FlowSolution& solution, const std::vector<Triple>& places) const;
-
   void need_dimension(int dimension) const;
   void need_rest() const;
   void need_no_gravity() const;
+  /// Refuses a start whose velocities at these places are not those of the solution; `refusal` says
+  /// so, with {:.2g} for the largest difference relative to the largest velocity, if there is any.
+  void need_velocities_of(const FlowSolution& solution, const std::vector<Triple>& places,
+                          std::string_view refusal) const;
 
  private:
+  double velocity_difference(const FlowSolution& solution, const std::vector<Triple>& places) const;
+
   const FlowSetup& setup_;
   std::string solution_;
   std::vector<Triple> fluid_;

@@ -201,8 +201,9 @@ template <int D>
 void WeaklyCompressible<D>::rebuild(double time, double travel) {
   neighbours_.wrap(position_);
   remove_what_left(time);
-  rearrange(neighbours_.order(position_, id_, reach_));
   skin_ = skin_for(travel);
+  // By the reach of the search, which would have to sort them once more otherwise.
+  rearrange(neighbours_.order(position_, id_, reach_ + skin_));
   find_neighbours();
 }
 

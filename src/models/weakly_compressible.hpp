@@ -113,6 +113,8 @@ class WeaklyCompressible final : public Model {
     double total() const { return kinetic + potential + compression; }
   };
   Energy energy() const;
+  template <class Term>
+  double sum_over_fluid(Term term) const;
 
   /// How a body moves now.
   struct WallMotion {

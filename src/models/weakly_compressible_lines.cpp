@@ -12,11 +12,10 @@ template <int D>
 void WeaklyCompressible<D>::write_fluid_lines(double ahead) {
   const bool carried = options_.density_form == FluidDensity::continuity;
   const bool extrapolated = options_.walls == WallForm::extrapolated;
+  const Index count = cloud_.count();
   double furthest = 0;
-#pragma omp parallel for schedule(static) \
-    reduction(max                         \
-              : furthest) if (parallel_from <= cloud_.count())
-  for (Index i = 0; i < cloud_.count(); ++i) {
+#pragma omp parallel for schedule(static) reduction(max : furthest) if (parallel_from <= count)
+  for (Index i = 0; i < count; ++i) {
     Line& line = lines_[static_cast<std::size_t>(i)];
     double squared = 0;
     for (std::size_t d = 0; d < D; ++d) {
@@ -142,11 +141,10 @@ void WeaklyCompressible<D>::finish_rates(double time) {
   const Vec<D> gravity = this->gravity();
   const bool forced = !options_.force.empty();
   const bool extrapolated = options_.walls == WallForm::extrapolated;
+  const Index count = cloud_.count();
   double speed = 0, most = 0;
-#pragma omp parallel for schedule(static) \
-    reduction(max                         \
-              : speed, most) if (parallel_from <= cloud_.count())
-  for (Index i = 0; i < cloud_.count(); ++i) {
+#pragma omp parallel for schedule(static) reduction(max : speed, most) if (parallel_from <= count)
+  for (Index i = 0; i < count; ++i) {
     auto acceleration = Vec<D>::Map(acceleration_.data() + std::ptrdiff_t{i} * D);
     if (is_wall(i)) {
       acceleration.setZero();

@@ -28,36 +28,39 @@ double sum_over(Index count, Of of) {
 
 }  // namespace
 
+/// Sum over the fluid's particles of their mass times `term(i)`.
+template <int D>
+template <class Term>
+double WeaklyCompressible<D>::sum_over_fluid(Term term) const {
+  return mass_ * sum_over(cloud_.count(), [&](Index i) { return is_wall(i) ? 0.0 : term(i); });
+}
+
 template <int D>
 typename WeaklyCompressible<D>::Energy WeaklyCompressible<D>::energy() const {
   const Vec<D> gravity = this->gravity();
   const auto vector = [](std::span<const double> values, Index i) {
     return Vec<D>::Map(values.data() + std::ptrdiff_t{i} * D);
   };
-  const auto of_fluid = [&](auto term) {
-    return mass_ * sum_over(cloud_.count(), [&](Index i) { return is_wall(i) ? 0.0 : term(i); });
-  };
   Energy energy;
-  energy.kinetic = of_fluid([&](Index i) { return 0.5 * vector(velocity_, i).squaredNorm(); });
-  energy.potential = of_fluid([&](Index i) { return -gravity.dot(vector(position_, i)); });
-  energy.compression = of_fluid([&](Index i) { return state_.energy(density_[i]); });
+  energy.kinetic =
+      sum_over_fluid([&](Index i) { return 0.5 * vector(velocity_, i).squaredNorm(); });
+  energy.potential = sum_over_fluid([&](Index i) { return -gravity.dot(vector(position_, i)); });
+  energy.compression = sum_over_fluid([&](Index i) { return state_.energy(density_[i]); });
   return energy;
 }
 
 template <int D>
 std::vector<Conserved> WeaklyCompressible<D>::conserved() const {
-  const auto fluid = [&](auto term) {
-    return mass_ * sum_over(cloud_.count(), [&](Index i) { return is_wall(i) ? 0.0 : term(i); });
-  };
-  const double mass = fluid([](Index) { return 1.0; });
+  const double mass = sum_over_fluid([](Index) { return 1.0; });
   std::vector<Conserved> quantities{{"mass", mass, mass}};
-  double speed =
-      fluid([&](Index i) { return Vec<D>::Map(velocity_.data() + std::ptrdiff_t{i} * D).norm(); });
+  double speed = sum_over_fluid(
+      [&](Index i) { return Vec<D>::Map(velocity_.data() + std::ptrdiff_t{i} * D).norm(); });
   if (speed == 0) speed = mass * state_.sound_speed;
-  for (std::size_t d = 0; d < D; ++d)
-    quantities.push_back(
-        {std::string("momentum_") + axis_names[d],
-         fluid([&](Index i) { return velocity_[static_cast<std::size_t>(i) * D + d]; }), speed});
+  for (std::size_t d = 0; d < D; ++d) {
+    const double momentum =
+        sum_over_fluid([&](Index i) { return velocity_[static_cast<std::size_t>(i) * D + d]; });
+    quantities.push_back({std::string("momentum_") + axis_names[d], momentum, speed});
+  }
   const Energy parts = energy();
   quantities.push_back({"energy", parts.total(),
                         std::abs(parts.kinetic) + std::abs(parts.potential) + parts.compression});
@@ -77,9 +80,9 @@ std::vector<Reading> WeaklyCompressible<D>::readings() const {
   if constexpr (D == 2) {  // about the origin
     const auto moment = [&](Index i) {
       const double *x = &position_[i * 2], *u = &velocity_[i * 2];
-      return is_wall(i) ? 0.0 : x[0] * u[1] - x[1] * u[0];
+      return x[0] * u[1] - x[1] * u[0];
     };
-    readings.push_back({"angular_momentum", mass_ * sum_over(cloud_.count(), moment)});
+    readings.push_back({"angular_momentum", sum_over_fluid(moment)});
   }
   return readings;
 }

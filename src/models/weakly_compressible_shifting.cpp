@@ -86,8 +86,10 @@ void WeaklyCompressible<D>::shift_particles(double time, double step) {
           gains_[static_cast<std::size_t>(i)] - mean;
 }
 
-/// The part of the density diffusion that leaves linear densities alone (Antuono et al. 2010):
-///   +delta h c sum V_j (<grad rho>_i + <grad rho>_j).(x_j - x_i) F_ij ... 2/2.
+/// What makes the density diffusion leave linear densities alone (Antuono et al. 2010): where that
+/// of FluidTerms has 2 (rho_j - rho_i), theirs has
+///   2 (rho_j - rho_i) - (<grad rho>_i + <grad rho>_j).(x_j - x_i),
+/// which adds  +delta h c sum V_j (<grad rho>_i + <grad rho>_j).(x_j - x_i) F_ij.
 template <int D>
 void WeaklyCompressible<D>::add_density_correction() {
   if (options_.diffusion != DensityDiffusion::antuono || coefficients_.diffusion == 0) return;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "support/csv_rows.hpp"
 #include "support/program.hpp"
 
 namespace mote::test {
@@ -73,20 +73,6 @@ class Flow : public testing::Test {
       ASSERT_TRUE(fs::exists(a / name) && fs::exists(b / name)) << name;
       EXPECT_TRUE(read(a / name) == read(b / name)) << name;
     }
-  }
-
-  /// Rows of numbers of a CSV file.
-  static std::vector<std::vector<double>> rows_of(const std::string& csv) {
-    std::vector<std::vector<double>> rows;
-    std::istringstream lines(csv);
-    std::string line, cell;
-    std::getline(lines, line);
-    while (std::getline(lines, line)) {
-      rows.emplace_back();
-      std::istringstream cells(line);
-      while (std::getline(cells, cell, ',')) rows.back().push_back(std::stod(cell));
-    }
-    return rows;
   }
 
   std::vector<std::vector<double>> exported(const fs::path& out) const {

@@ -8,26 +8,12 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "support/csv_rows.hpp"
 #include "support/program.hpp"
 
 namespace mote::test {
 namespace {
-
-/// Columns of the exported CSV, the values that a reader must find.
-std::vector<std::vector<double>> rows_of(const std::string& csv) {
-  std::vector<std::vector<double>> rows;
-  std::istringstream lines(csv);
-  std::string line, cell;
-  std::getline(lines, line);
-  while (std::getline(lines, line)) {
-    rows.emplace_back();
-    std::istringstream cells(line);
-    while (std::getline(cells, cell, ',')) rows.back().push_back(std::stod(cell));
-  }
-  return rows;
-}
 
 /// Compares a data set with the CSV columns id,x,velocity_x,density.
 void expect_csv(vtkPointSet* points, const std::vector<std::vector<double>>& rows) {

@@ -132,17 +132,21 @@ TEST_P(FlowOneWay, AllocatesNothingInItsSteps) {
 INSTANTIATE_TEST_SUITE_P(, FlowOneWay, testing::ValuesIn(ways),
                          [](const auto& way) { return std::string(way.param.name); });
 
-TEST(Searches, AgreeButForRounding) {
+/// Particles stand in the order of the search, so both searches list them alike. Rows that reach
+/// further, the negative control, add up in other packs and agree but for rounding.
+TEST(Searches, AgreeToTheLastBit) {
   FlowCase flow = busy_tank(0.02);
   flow.search = "cell_grid";
   const std::vector<double> grid = state_after(flow, 2, 20);
   flow.search = "kd_tree";
-  const std::vector<double> tree = state_after(flow, 2, 20);
+  EXPECT_EQ(state_after(flow, 2, 20), grid);
+  flow.skin = 0.15;
+  const std::vector<double> wide = state_after(flow, 2, 20);
   double scale = 0, apart = 0;
-  ASSERT_EQ(grid.size(), tree.size());
+  ASSERT_EQ(grid.size(), wide.size());
   for (std::size_t k = 0; k < grid.size(); ++k) {
     scale = std::max(scale, std::abs(grid[k]));
-    apart = std::max(apart, std::abs(grid[k] - tree[k]));
+    apart = std::max(apart, std::abs(grid[k] - wide[k]));
   }
   EXPECT_LT(apart, 1e-12 * scale);
   EXPECT_GT(apart, 0);
