@@ -121,22 +121,20 @@ void WeaklyCompressible<D>::copy_slopes_to_images() {
         slopes_[static_cast<std::size_t>(images[k].owner)];
 }
 
-/// Walls take the mean slope of the fluid around them: with none, half of what a linear density
-/// diffuses across the wall would be left.
+/// Walls take the mean slope of the fluid within the kernel's support, whatever else is listed:
+/// with none, half of what a linear density diffuses across the wall would be left.
 template <int D>
 void WeaklyCompressible<D>::continue_slopes_into_walls() {
   const auto& lists = neighbours_.lists();
-  const auto images = neighbours_.images();
-  const auto owner = [&](Index j) {
-    return j < cloud_.count() ? j : images[static_cast<std::size_t>(j - cloud_.count())].owner;
-  };
+  const double support = terms_->support() * smoothing_length_ * rim_tolerance;
 #pragma omp parallel for schedule(dynamic, 256) if (parallel_from <= cloud_.count())
   for (Index i = 0; i < cloud_.count(); ++i) {
     if (!is_wall(i)) continue;
+    const Vec<D> place = lines_[static_cast<std::size_t>(i)].place();
     Vec<D> sum = Vec<D>::Zero();
     double fluids = 0;
     for (const Index j : lists[i]) {
-      if (is_wall(owner(j))) continue;
+      if ((place - lines_[static_cast<std::size_t>(j)].place()).norm() > support) continue;
       sum += slopes_[static_cast<std::size_t>(j)];
       ++fluids;
     }
