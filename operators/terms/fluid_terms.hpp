@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mote/neighbours/neighbours.hpp"
+#include "mote/neighbours/pair_order.hpp"
 #include "mote/operators/terms/pair_lines.hpp"
 
 namespace mote {
@@ -14,6 +15,7 @@ namespace mote {
 /// How the pair terms of a fluid are weighted; a coefficient of 0 leaves its term out.
 template <int D>
 struct FluidCoefficients {
+  double smoothing_length = 0;
   double mass = 0;         ///< of every particle
   bool continuity = true;  ///< whether the density follows from pairs
   bool pressure = true;    ///< whether pressure acts between pairs
@@ -24,16 +26,9 @@ struct FluidCoefficients {
   double viscosity = 0;             ///< dynamic viscosity mu
 };
 
-/// Rates of the receivers by pair terms. Particles that are marked as idle have none.
-template <int D>
-struct FluidRates {
-  std::span<double> acceleration;  ///< D numbers a receiver
-  std::span<double> density_rate;
-};
-
-/// What a pass over all pairs found beside the rates.
+/// What a pass over all pairs found beside the sums.
 struct FluidPass {
-  std::int64_t pairs = 0;  ///< within the support
+  std::int64_t pairs = 0;  ///< within the support, once for each of its ends that is a receiver
   double dissipation = 0;  ///< power lost to viscosity [energy/time]
 };
 
@@ -78,20 +73,22 @@ class AnyFluidTerms {
 ///   D rho/Dt = rho_i sum V_j u.x F  -  2 delta h c sum V_j (rho_j - rho_i + x.grad rho_rest) F,
 ///   rho_i Du/Dt = sum V_j F [ -(p_i + p_j) x + alpha h c rho0 min(u.x, 0)/(r^2 + 0.01 h^2) x
 ///                             + 2 mu u ].
-/// Forces of a pair are opposite to the last bit but the division by rho_i, so momentum is kept.
-/// All particles have the same mass m, so V_j (rho_j - rho_i) = m - rho_i V_j needs no division.
+/// Every pair is met once, and what it adds to one end it takes from the other to the last bit: the
+/// force V_i V_j F [...], since all particles have the same mass m, and the diffusion's part of
+/// D ln rho/Dt, since V_j (rho_j - rho_i) = rho_i (V_i - V_j). So momentum is kept.
 template <int D>
 class FluidTerms : public AnyFluidTerms {
  public:
   /// Support of the kernel in smoothing lengths.
   virtual double support() const = 0;
 
-  /// Rates of all receivers that are not idle. `lines` are those of all points, `lists` the
-  /// neighbours of the receivers.
+  /// Adds to the sums of all receivers. `lines` and `sums` are those of all points, `lists` the
+  /// neighbours of the receivers, in the order of numbers, of which only those after the receiver
+  /// itself are looked at, and `order` was arranged for these. Sums of points that are no receivers
+  /// mean nothing.
   virtual FluidPass add_up(std::span<const PairLine<D>> lines, const NeighbourLists& lists,
-                           std::span<const std::uint8_t> idle, double smoothing_length,
-                           const FluidCoefficients<D>& coefficients,
-                           const FluidRates<D>& rates) const = 0;
+                           const PairOrder& order, const FluidCoefficients<D>& coefficients,
+                           std::span<PairSums> sums) const = 0;
 
   /// Density by summation, sum m W_ij with the particle itself, of receiver i.
   virtual double density(std::span<const PairLine<D>> lines, Index i,

@@ -12,7 +12,7 @@
 #include "mote/models/model.hpp"
 #include "mote/operators/differential/all.hpp"
 #include "mote/operators/kernels/all.hpp"
-#include "mote/operators/terms/fluid_terms_on.hpp"
+#include "mote/operators/terms/fluid_terms_by_kernel.hpp"
 #include "mote/options/description.hpp"
 #include "mote/particles/layouts.hpp"
 
@@ -137,8 +137,8 @@ std::unique_ptr<AnyOperator> new_operator(std::int64_t dimension) {
 /// Makes the pair terms of a fluid in two or three dimensions.
 template <template <int> class Kernel>
 std::unique_ptr<AnyFluidTerms> new_fluid_terms(std::int64_t dimension) {
-  if (dimension == 2) return std::make_unique<FluidTermsOn<2, Kernel<2>>>();
-  if (dimension == 3) return std::make_unique<FluidTermsOn<3, Kernel<3>>>();
+  if (dimension == 2) return fluid_terms_by<2>(Kernel<2>());
+  if (dimension == 3) return fluid_terms_by<3>(Kernel<3>());
   return nullptr;
 }
 

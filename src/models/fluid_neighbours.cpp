@@ -74,11 +74,11 @@ std::span<const Index> FluidNeighbours<D>::order(std::span<const double> positio
 
 template <int D>
 void FluidNeighbours<D>::find(std::span<const double> position, std::span<const std::uint8_t> idle,
-                              double reach) {
+                              double reach, ListForm form) {
   add_images(position, reach);
   const auto count = static_cast<Index>(position.size() / D);
   if (images_.empty()) {
-    find_among(position, idle, count, reach);
+    find_among(position, idle, count, reach, form);
     return;
   }
   points_.assign(position.begin(), position.end());
@@ -89,25 +89,29 @@ void FluidNeighbours<D>::find(std::span<const double> position, std::span<const 
     points_.insert(points_.end(), place.begin(), place.end());
     idle_.push_back(idle[owner]);
   }
-  find_among(points_, idle_, count, reach);
+  find_among(points_, idle_, count, reach, form);
 }
 
 /// The neighbours of the first `count` points.
 template <int D>
 void FluidNeighbours<D>::find_among(std::span<const double> place,
-                                    std::span<const std::uint8_t> idle, Index count, double reach) {
+                                    std::span<const std::uint8_t> idle, Index count, double reach,
+                                    ListForm form) {
   if (search_ == nullptr) {
-    grid_.find(place, count, reach, idle, lists_);
-    return;
+    grid_.find(place, count, reach, idle, form, lists_);
+  } else {
+    Points<D> points;
+    points.resize(static_cast<Index>(idle.size()), count);
+    points.position.assign(place.begin(), place.end());
+    std::ranges::fill(points.length, reach);
+    search_->find(points, {.support = 1}, lists_);
+    lists_.keep_if([&](Index i, Index j) {
+      if (idle[static_cast<std::size_t>(i)] != 0) return idle[static_cast<std::size_t>(j)] == 0;
+      return form == ListForm::ascending || j > i;
+    });
+    lists_.sort();
   }
-  Points<D> points;
-  points.resize(static_cast<Index>(idle.size()), count);
-  points.position.assign(place.begin(), place.end());
-  std::ranges::fill(points.length, reach);
-  search_->find(points, {.support = 1}, lists_);
-  lists_.keep_if([&](Index i, Index j) {
-    return idle[static_cast<std::size_t>(i)] == 0 || idle[static_cast<std::size_t>(j)] == 0;
-  });
+  pair_order_.arrange(lists_, static_cast<Index>(idle.size()));
 }
 
 template class FluidNeighbours<2>;

@@ -8,6 +8,7 @@
 
 #include "mote/models/space.hpp"
 #include "mote/neighbours/cell_grid.hpp"
+#include "mote/neighbours/pair_order.hpp"
 #include "mote/neighbours/search.hpp"
 
 namespace mote {
@@ -34,17 +35,19 @@ class FluidNeighbours {
                                double reach);
 
   /// Finds the neighbours within `reach` of all particles, which stand in that order, but for pairs
-  /// of idle ones.
-  void find(std::span<const double> position, std::span<const std::uint8_t> idle, double reach);
+  /// of idle ones. `form` is that of the lists, ascending or later.
+  void find(std::span<const double> position, std::span<const std::uint8_t> idle, double reach,
+            ListForm form);
 
   /// Behind the particles stand their images.
   std::span<const PeriodicImage<D>> images() const { return images_; }
   const NeighbourLists& lists() const { return lists_; }
+  const PairOrder& pair_order() const { return pair_order_; }
 
  private:
   void add_images(std::span<const double> position, double reach);
   void find_among(std::span<const double> place, std::span<const std::uint8_t> idle, Index count,
-                  double reach);
+                  double reach, ListForm form);
 
   Vec<D> lower_, upper_;
   std::array<bool, 3> periodic_;
@@ -55,6 +58,7 @@ class FluidNeighbours {
   std::vector<std::uint8_t> idle_;  ///< of the same
   std::vector<Index> id_;
   NeighbourLists lists_;
+  PairOrder pair_order_;
 };
 
 extern template class FluidNeighbours<2>;

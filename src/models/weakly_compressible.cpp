@@ -73,6 +73,7 @@ void WeaklyCompressible<D>::refuse_what_does_not_go_together() const {
 template <int D>
 void WeaklyCompressible<D>::choose_coefficients() {
   const double h = smoothing_length_, c = state_.sound_speed;
+  coefficients_.smoothing_length = h;
   coefficients_.mass = mass_;
   coefficients_.continuity = options_.density_form == FluidDensity::continuity &&
                              options_.divergence == Derivatives::pairs;
@@ -147,6 +148,7 @@ void WeaklyCompressible<D>::name_parts() {
   acceleration_.resize(count * D);
   density_rate_.resize(count);
   idle_.resize(count);
+#pragma omp parallel for schedule(static) if (parallel_from <= static_cast <Index>(count))
   for (std::size_t i = 0; i < count; ++i)
     idle_[i] = body_of(static_cast<Index>(i)).kind == BodyKind::wall;
   drifted_ = {{position_, velocity_}};
@@ -219,64 +221,75 @@ double WeaklyCompressible<D>::skin_for(double travel) const {
 
 template <int D>
 void WeaklyCompressible<D>::find_neighbours() {
-  neighbours_.find(position_, idle_, reach_ + skin_);
-  const auto count = static_cast<std::size_t>(cloud_.count());
-  lines_.resize(count + neighbours_.images().size());
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t d = 0; d < D; ++d) lines_[i].value[Line::position + d] = position_[i * D + d];
+  neighbours_.find(position_, idle_, reach_ + skin_,
+                   needs_all_neighbours() ? ListForm::ascending : ListForm::later);
+  const Index count = cloud_.count();
+  lines_.resize(static_cast<std::size_t>(count) + neighbours_.images().size());
+  sums_.assign(lines_.size(), {});
+#pragma omp parallel for schedule(static) if (parallel_from <= count)
+  for (Index i = 0; i < count; ++i)
+    std::copy_n(position_.begin() + std::ptrdiff_t{i} * D, D,
+                lines_[static_cast<std::size_t>(i)].value.begin() + Line::position);
   moved_ = 0;
   lists_are_current_ = true;
   ++course_.rebuilds;
 }
 
+/// Whether any sum but those over pairs is over all neighbours of a particle of the fluid.
+template <int D>
+bool WeaklyCompressible<D>::needs_all_neighbours() const {
+  return options_.shifting > 0 || options_.free_surface || uses_operator() ||
+         options_.diffusion == DensityDiffusion::antuono ||
+         options_.density_form == FluidDensity::summation;
+}
+
 template <int D>
 void WeaklyCompressible<D>::rearrange(std::span<const Index> order) {
   cloud_.rearrange(order);
-  const auto put = [&](std::vector<double>& values, std::size_t components) {
-    kept_.resize(order.size() * components);
-    for (std::size_t k = 0; k < order.size(); ++k)
-      std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(components) * order[k], components,
-                  kept_.begin() + static_cast<std::ptrdiff_t>(components * k));
-    values.assign(kept_.begin(), kept_.end());
-  };
-  put(acceleration_, D);
-  put(density_rate_, 1);
+  mote::rearrange(acceleration_, D, order, kept_);
+  mote::rearrange(density_rate_, 1, order, kept_);
   name_parts();
 }
 
 /// Takes fluid out that is further outside the domain than a wall is thick.
 template <int D>
 void WeaklyCompressible<D>::remove_what_left(double time) {
+  const Index count = cloud_.count();
+  Index left = 0;
+#pragma omp parallel for schedule(static) reduction(+ : left) if (parallel_from <= count)
+  for (Index i = 0; i < count; ++i) left += has_left(i);
+  if (left == 0) return;
   order_.clear();
-  for (Index i = 0; i < cloud_.count(); ++i) {
-    const std::string side = is_wall(i) ? "" : side_left(i);
-    if (side.empty()) {
+  for (Index i = 0; i < count; ++i) {
+    if (!has_left(i)) {
       order_.push_back(i);
       continue;
     }
-    if (course_.removed++ == 0) course_.first_removed = describe_removed(i, side, time);
+    if (course_.removed++ == 0) course_.first_removed = describe_removed(i, time);
   }
-  if (static_cast<Index>(order_.size()) < cloud_.count()) rearrange(order_);
+  rearrange(order_);
 }
 
-/// The side by which a particle has left the domain; empty if it has not.
 template <int D>
-std::string WeaklyCompressible<D>::side_left(Index i) const {
+bool WeaklyCompressible<D>::has_left(Index i) const {
+  bool left = false;
   for (std::size_t d = 0; d < D; ++d) {
     const double x = position_[static_cast<std::size_t>(i) * D + d];
-    if (x < start_.lower[d] - reach_) return std::string(axis_names[d]) + "_lower";
-    if (x > start_.upper[d] + reach_) return std::string(axis_names[d]) + "_upper";
+    left |= x < start_.lower[d] - reach_ || x > start_.upper[d] + reach_;
   }
-  return "";
+  return left && !is_wall(i);
 }
 
 template <int D>
-std::string WeaklyCompressible<D>::describe_removed(Index i, const std::string& side,
-                                                    double time) const {
-  std::string place;
-  for (std::size_t d = 0; d < D; ++d)
-    place +=
-        fmt::format("{}{:.6g}", d > 0 ? ", " : "", position_[static_cast<std::size_t>(i) * D + d]);
+std::string WeaklyCompressible<D>::describe_removed(Index i, double time) const {
+  std::string place, side;
+  for (std::size_t d = 0; d < D; ++d) {
+    const double x = position_[static_cast<std::size_t>(i) * D + d];
+    place += fmt::format("{}{:.6g}", d > 0 ? ", " : "", x);
+    if (!side.empty()) continue;
+    if (x < start_.lower[d] - reach_) side = std::string(axis_names[d]) + "_lower";
+    if (x > start_.upper[d] + reach_) side = std::string(axis_names[d]) + "_upper";
+  }
   return fmt::format("particle {} at ({}) through {}, t = {:.6g}", id_[i], place, side, time);
 }
 
@@ -292,15 +305,15 @@ void WeaklyCompressible<D>::update_rates_ahead(double time, double ahead) {
   write_image_lines();
   if (options_.density_form == FluidDensity::summation) sum_densities();
   if (options_.walls == WallForm::extrapolated) write_wall_lines();
-  const FluidPass pass = terms_->add_up(lines_, neighbours_.lists(), idle_, smoothing_length_,
-                                        coefficients_, {acceleration_, density_rate_});
+  const FluidPass pass =
+      terms_->add_up(lines_, neighbours_.lists(), neighbours_.pair_order(), coefficients_, sums_);
   dissipation_ = pass.dissipation;
   work_.pairs += pass.pairs;
   work_.evaluations += 1;
   work_.mean_neighbours = static_cast<double>(pass.pairs) / std::max<Index>(1, cloud_.count());
   add_operator_terms();
   add_density_correction();
-  finish_rates(time);
+  finish_rates(time, ahead);
   rates_are_current_ = true;
 }
 

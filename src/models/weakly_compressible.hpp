@@ -78,10 +78,11 @@ class WeaklyCompressible final : public Model {
   void rebuild(double time, double travel);
   void find_neighbours();
   double skin_for(double travel) const;
+  bool needs_all_neighbours() const;
   void rearrange(std::span<const Index> order);
   void remove_what_left(double time);
-  std::string side_left(Index i) const;
-  std::string describe_removed(Index i, const std::string& side, double time) const;
+  bool has_left(Index i) const;
+  std::string describe_removed(Index i, double time) const;
   bool is_wall(Index i) const { return idle_[static_cast<std::size_t>(i)] != 0; }
   const Body& body_of(Index i) const;
   const WallPlace& place_of(Index i) const;
@@ -98,10 +99,13 @@ class WeaklyCompressible final : public Model {
   void add_operator_terms();
   void add_first_derivatives();
   void add_laplacian();
+  PairSums& sums_of_receiver(Index k) {
+    return sums_[static_cast<std::size_t>(receiver_of_operator_[static_cast<std::size_t>(k)])];
+  }
   FluidSpread<D> spread_of(Index i) const;
   void refresh_lines(double time);
   void add_density_correction();
-  void finish_rates(double time);
+  void finish_rates(double time, double ahead);
   void copy_slopes_to_images();
   void continue_slopes_into_walls();
   void move_walls(double time);
@@ -149,6 +153,7 @@ class WeaklyCompressible final : public Model {
   FluidNeighbours<D> neighbours_;
   std::vector<Index> order_;
   std::vector<Line> lines_;
+  std::vector<PairSums> sums_;  ///< of every line; 0 between evaluations
   std::vector<WallMotion> motions_;
   bool lists_are_current_ = false, rates_are_current_ = false;
   double now_ = 0;               ///< time of the last step's start

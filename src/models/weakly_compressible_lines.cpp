@@ -134,10 +134,10 @@ void WeaklyCompressible<D>::move_walls(double time) {
       std::copy_n(motion_of(i).velocity.begin(), D, velocity_.begin() + std::ptrdiff_t{i} * D);
 }
 
-/// Adds gravity and the body force to the fluid's rates, sets those of the walls, and notes the
+/// Makes rates of the sums, with gravity and the body force, sets those of the walls, and notes the
 /// fastest and the most accelerated particle.
 template <int D>
-void WeaklyCompressible<D>::finish_rates(double time) {
+void WeaklyCompressible<D>::finish_rates(double time, double ahead) {
   const Vec<D> gravity = this->gravity();
   const bool forced = !options_.force.empty();
   const bool extrapolated = options_.walls == WallForm::extrapolated;
@@ -145,18 +145,23 @@ void WeaklyCompressible<D>::finish_rates(double time) {
   double speed = 0, most = 0;
 #pragma omp parallel for schedule(static) reduction(max : speed, most) if (parallel_from <= count)
   for (Index i = 0; i < count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
     auto acceleration = Vec<D>::Map(acceleration_.data() + std::ptrdiff_t{i} * D);
+    double& rate = density_rate_[k];
+    rate = (density_[i] + ahead * rate) * sums_[k].value[PairSums::rate];
     if (is_wall(i)) {
       acceleration.setZero();
       if (body_of(i).travels) acceleration = Vec<D>::Map(motion_of(i).acceleration.data());
-      if (extrapolated) density_rate_[static_cast<std::size_t>(i)] = 0;
+      if (extrapolated) rate = 0;
     } else {
-      acceleration += gravity;
+      acceleration = Vec<D>::Map(sums_[k].value.data()) + gravity;
       if (forced) acceleration += force_at(i, time);
     }
+    sums_[k] = {};
     most = std::max(most, acceleration.squaredNorm());
     speed = std::max(speed, Vec<D>::Map(velocity_.data() + std::ptrdiff_t{i} * D).squaredNorm());
   }
+  std::fill(sums_.begin() + count, sums_.end(), PairSums{});
   highest_speed_ = std::sqrt(speed);
   highest_acceleration_ = std::sqrt(most);
   if (highest_speed_ <= course_.fastest) return;

@@ -83,10 +83,10 @@ void WeaklyCompressible<D>::add_first_derivatives() {
       slope += weights[n] * (other.value[Line::pressure] - own.value[Line::pressure]);
       spreading += weights[n].dot(other.speed() - own.speed());
     }
-    const Index i = receiver_of_operator_[static_cast<std::size_t>(k)];
+    PairSums& sums = sums_of_receiver(k);
     const double density = mass_ / own.value[Line::volume];
-    if (pressure) Vec<D>::Map(acceleration_.data() + std::ptrdiff_t{i} * D) -= slope / density;
-    if (divergence) density_rate_[static_cast<std::size_t>(i)] -= density * spreading;
+    if (pressure) Vec<D>::Map(sums.value.data()) -= slope / density;
+    if (divergence) sums.value[PairSums::rate] -= spreading;
   });
 }
 
@@ -99,8 +99,7 @@ void WeaklyCompressible<D>::add_laplacian() {
     for (std::size_t n = 0; n < neighbours.size(); ++n)
       sum +=
           weights[n] * (lines_of_operator_[static_cast<std::size_t>(neighbours[n])].speed() - own);
-    const Index i = receiver_of_operator_[static_cast<std::size_t>(k)];
-    Vec<D>::Map(acceleration_.data() + std::ptrdiff_t{i} * D) += options_.kinematic_viscosity * sum;
+    Vec<D>::Map(sums_of_receiver(k).value.data()) += options_.kinematic_viscosity * sum;
   });
 }
 

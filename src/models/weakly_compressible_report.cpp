@@ -130,22 +130,19 @@ Parameters WeaklyCompressible<D>::parameters() const {
   return parameters;
 }
 
-/// The pair forces on the wall's particles, as they act on the fluid with the opposite sign.
+/// The pair forces on the wall's particles, as they act on the fluid with the opposite sign; none
+/// before the first evaluation.
 template <int D>
 Triple WeaklyCompressible<D>::force_on(std::size_t body) const {
-  std::vector<std::uint8_t> others(idle_.size());
-  for (std::size_t i = 0; i < others.size(); ++i)
-    others[i] = static_cast<std::size_t>(body_[i]) != body;
-  std::vector<double> acceleration(acceleration_.size()), rate(density_rate_.size());
+  std::vector<PairSums> sums(lines_.size());
   FluidCoefficients<D> coefficients = coefficients_;
   coefficients.pressure = true;
   coefficients.viscosity = state_.density * options_.kinematic_viscosity;
-  terms_->add_up(lines_, neighbours_.lists(), others, smoothing_length_, coefficients,
-                 {acceleration, rate});
+  terms_->add_up(lines_, neighbours_.lists(), neighbours_.pair_order(), coefficients, sums);
   Triple force{};
-  for (std::size_t i = 0; i < others.size(); ++i)
-    for (std::size_t d = 0; d < D && others[i] == 0; ++d)
-      force[d] += mass_ * acceleration[i * D + d];
+  for (Index i = 0; i < neighbours_.lists().receivers(); ++i)
+    for (std::size_t d = 0; d < D && static_cast<std::size_t>(body_[i]) == body; ++d)
+      force[d] += mass_ * sums[static_cast<std::size_t>(i)].value[d];
   return force;
 }
 

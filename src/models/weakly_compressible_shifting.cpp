@@ -107,10 +107,13 @@ void WeaklyCompressible<D>::add_density_correction() {
   copy_slopes_to_images();
 #pragma omp parallel for schedule(dynamic, 256) if (parallel_from <= cloud_.count())
   for (Index i = 0; i < cloud_.count(); ++i)
-    if (!is_wall(i))
-      density_rate_[static_cast<std::size_t>(i)] +=
-          coefficients_.diffusion *
+    if (!is_wall(i)) {
+      const auto k = static_cast<std::size_t>(i);
+      const double added =
           terms_->linear_diffusion(lines_, i, neighbours_.lists()[i], smoothing_length_, slopes_);
+      const double volume = lines_[k].value[Line::volume];
+      sums_[k].value[PairSums::rate] += coefficients_.diffusion * volume / mass_ * added;
+    }
 }
 
 template <int D>

@@ -124,7 +124,7 @@ void CellGrid<D>::mark_starts() {
 
 template <int D>
 void CellGrid<D>::find(std::span<const double> position, Index receivers, double reach,
-                       std::span<const std::uint8_t> idle, NeighbourLists& lists) {
+                       std::span<const std::uint8_t> idle, ListForm form, NeighbourLists& lists) {
   lists.restart(receivers, position.size() / D + scan_lanes);
   if (receivers == 0) return;
   layout_ = CellLayout<D>(position, reach);
@@ -140,6 +140,7 @@ void CellGrid<D>::find(std::span<const double> position, Index receivers, double
     points.place[d] = place_[d].data();
     points.rough[d] = rough_[d].data();
   }
+  const bool ascends = sorted && !layout_.is_folded;
   const Index blocks = (receivers + block_size - 1) / block_size;
 #pragma omp parallel if (parallel_from <= receivers)
   {
@@ -149,11 +150,14 @@ void CellGrid<D>::find(std::span<const double> position, Index receivers, double
     for (Index block = 0; block < blocks; ++block)
       for (Index k = block * block_size; k < std::min(receivers, (block + 1) * block_size); ++k) {
         Index* const list = writer.room(scan.look_around(k) + scan_lanes);
-        Index* end = scan.find(list);
         const Index i = sorted ? k : order_[k];
+        const bool rests = !idle.empty() && idle[i];
+        const bool later = form == ListForm::later && !rests;
+        Index* end = scan.find(list, later && ascends);
         if (!sorted) std::transform(list, end, list, [&](Index j) { return order_[j]; });
-        if (!idle.empty() && idle[i])
-          end = std::remove_if(list, end, [&](Index j) { return idle[j] != 0; });
+        if (rests) end = std::remove_if(list, end, [&](Index j) { return idle[j] != 0; });
+        if (later && !ascends) end = std::remove_if(list, end, [&](Index j) { return j < i; });
+        if (form != ListForm::any_order && !ascends) std::sort(list, end);
         writer.close(i, end);
       }
   }
@@ -166,7 +170,7 @@ void CellGridSearch<D>::find(const Points<D>& points, const NeighbourRule& rule,
   const auto& length = points.length;
   const double longest = length.empty() ? 0 : std::ranges::max(length);
   grid_.find(points.position, points.receivers, rule.support * (rule.smoothing_length * longest),
-             {}, lists);
+             {}, ListForm::any_order, lists);
   if (std::ranges::all_of(length, [&](double each) { return each == longest; })) return;
   lists.keep_if(
       [&](Index i, Index j) { return rule.accepts(distance(points, i, j), length[i], length[j]); });

@@ -25,10 +25,10 @@ class CellGrid {
 
   /// The points within `reach` of every receiver, the rim included; of two points that are `idle`
   /// (one flag a point, or none at all) neither is in the list of the other. Points can have any
-  /// order, and it is much faster where they have the one of `order`: then every list is in the
-  /// order of numbers. Otherwise lists are in the order of cells.
+  /// order, and it is much faster where they have the one of `order`. Lists are in the order of
+  /// cells, and those that are `ascending` in that of numbers.
   void find(std::span<const double> position, Index receivers, double reach,
-            std::span<const std::uint8_t> idle, NeighbourLists& lists);
+            std::span<const std::uint8_t> idle, ListForm form, NeighbourLists& lists);
 
  private:
   void find_cells(std::span<const double> position, Index receivers);

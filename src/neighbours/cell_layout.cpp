@@ -96,6 +96,7 @@ void CellLayout<D>::fold(std::array<double, D> wanted, std::size_t points) {
     int longest = 0;
     for (int d = 1; d < D; ++d)
       if (views(d) > views(longest)) longest = d;
+    is_folded = true;
     wanted[longest] = std::floor(wanted[longest] / 2) + (longest == 0 ? 0 : 1);
   }
   cells = 1;

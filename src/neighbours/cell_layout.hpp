@@ -28,6 +28,7 @@ struct CellLayout {
   std::array<double, D> lowest{};            ///< number on the axis of the first cell
   std::array<Index, D> extent{};             ///< number of cells
   Index cells = 0;
+  bool is_folded = false;
   std::array<double, D> corner{};  ///< of the box of the cloud
   double rough_extent = 0;         ///< longest edge of that box in rough units
   double per_rough_unit = 0;       ///< inverse of the unit, which is about the reach

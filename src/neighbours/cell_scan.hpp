@@ -83,12 +83,13 @@ class CellScan {
     return candidates_;
   }
 
-  /// Writes the neighbours that are there, in the order of places; returns their end. Writes up to
-  /// a pack of lanes beyond it.
-  Index* find(Index* list) {
+  /// Writes the neighbours that are there, or the `later` of them alone, those with higher numbers,
+  /// in the order of places; returns their end. Writes up to a pack of lanes beyond it. Later ones
+  /// can be asked for where the layout is not folded.
+  Index* find(Index* list, bool later) {
     if (all_listed_) [[likely]]
-      return test(list);
-    for (Place from{0, begin_[0]}; list_packs(from);) list = test(list);
+      return test(list, later);
+    for (Place from{0, begin_[0]}; list_packs(from);) list = test(list, later);
     return list;
   }
 
@@ -186,13 +187,21 @@ class CellScan {
   }
 
   /// Writes which points of the listed packs are near enough.
-  Index* test(Index* list) {
+  Index* test(Index* list, bool later) {
+    const Index own = std::min(own_pack_ + (receiver_ - own_begin_) / scan_lanes, most_packs);
+    first_ = later ? first_later(own) : 0;
     const bool rough = points_.layout.has_rough_unit();
     if (!rough || !compare(points_.rough, possible_square_, certain_square_)) [[unlikely]]
       compare(points_.place, greatest_square_, greatest_square_);
-    const Index own = std::min(own_pack_ + (receiver_ - own_begin_) / scan_lanes, most_packs);
-    near_[own] &= static_cast<LaneBits>(~(1u << (receiver_ - own_begin_) % scan_lanes));
+    const unsigned itself = 1u << (receiver_ - own_begin_) % scan_lanes;
+    near_[own] &= static_cast<LaneBits>(later ? ~(2 * itself - 1) : ~itself);
     return write(list);
+  }
+
+  /// The first of the packs that has points after the receiver, which is in pack `own` if in any.
+  int first_later(Index own) const {
+    if (own < most_packs) return own;
+    return pack_[0] > receiver_ ? 0 : packs_;
   }
 
   /// Finds which lanes of the packs are possibly near; returns whether all these certainly are.
@@ -204,7 +213,7 @@ class CellScan {
     std::array<Lanes, D> at;
     for (int d = 0; d < D; ++d) at[d] = place[d][receiver_];
     Lanes doubt = 0;
-    for (int k = 0; k < packs; ++k) {
+    for (int k = first_; k < packs; ++k) {
       const Index j = pack_[k];
       const auto squared_difference = [&](int d) {
         const Lanes difference = at[d] - Lanes(place[d] + j, simd::element_aligned);
@@ -223,7 +232,7 @@ class CellScan {
   Index* write(Index* list) const {
     fetch_ahead(list);
     const int packs = packs_;
-    for (int k = 0; k < packs; ++k) {
+    for (int k = first_; k < packs; ++k) {
       const unsigned near = near_[k] & lanes_[k];
       const IndexLanes first = IndexLanes{} + pack_[k];
       list = write_lanes(list, near & 255, first);
@@ -261,6 +270,7 @@ class CellScan {
   Index cell_ = -1;                                    ///< of the receiver
   Index row_ = std::numeric_limits<Index>::min() / 2;  ///< first cell of the receiver's row
   int rows_ = 0, segments_ = 0, packs_ = 0;
+  int first_ = 0;  ///< pack that is looked at
   std::size_t candidates_ = 0;
   bool all_listed_ = false;  ///< whether the packs are all that are around
   Index own_begin_ = 0;      ///< a point of the receiver's segment

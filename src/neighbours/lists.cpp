@@ -52,6 +52,11 @@ void NeighbourLists::keep_spare_slabs(std::size_t threads) {
     slabs_.push_back(std::make_unique_for_overwrite<Index[]>(slab_size_));
 }
 
+void NeighbourLists::sort() {
+#pragma omp parallel for schedule(static) if (parallel_from <= receivers())
+  for (Index i = 0; i < receivers(); ++i) std::sort(first_[i], first_[i] + count_[i]);
+}
+
 bool operator==(const NeighbourLists& a, const NeighbourLists& b) {
   if (a.receivers() != b.receivers()) return false;
   for (Index i = 0; i < a.receivers(); ++i)

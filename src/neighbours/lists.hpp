@@ -10,6 +10,11 @@
 
 namespace mote {
 
+/// What the list of a receiver holds: all its neighbours in the order of their search, all in the
+/// order of numbers, or only those with numbers above its own, in their order; with these the lists
+/// of idle receivers hold all.
+enum class ListForm { any_order, ascending, later };
+
 /// The neighbours of every receiver, without the receiver itself, each list in a fixed order that
 /// depends on the state alone.
 ///
@@ -39,6 +44,9 @@ class NeighbourLists {
   /// Leaves neighbour j of receiver i in its list only where keep(i, j).
   template <class Keep>
   void keep_if(Keep keep);
+
+  /// Puts every list in the order of numbers.
+  void sort();
 
   /// Whether both hold the same neighbours in the same order.
   friend bool operator==(const NeighbourLists& a, const NeighbourLists& b);

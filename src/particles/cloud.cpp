@@ -20,20 +20,27 @@ std::span<double> Cloud::add(std::string name, FieldKind kind, std::string si_un
   return fields_.back().values;
 }
 
-void Cloud::rearrange(std::span<const Index> order) {
-  std::vector<double>& values = rearranged_;
-  for (Field& field : fields_) {
-    const auto components = static_cast<std::size_t>(field.components);
-    values.resize(order.size() * components);
-#pragma omp parallel for schedule(static) if (parallel_from <= static_cast <Index>(order.size()))
-    for (std::size_t k = 0; k < order.size(); ++k)
-      for (std::size_t c = 0; c < components; ++c)
-        values[k * components + c] =
-            field.values[static_cast<std::size_t>(order[k]) * components + c];
-#pragma omp parallel for schedule(static) if (parallel_from <= static_cast <Index>(order.size()))
-    for (std::size_t k = 0; k < values.size(); ++k) field.values[k] = values[k];
-    field.values.resize(values.size());
+void rearrange(std::vector<double>& values, std::size_t components, std::span<const Index> order,
+               std::vector<double>& work) {
+  const auto count = static_cast<Index>(order.size());
+  work.resize(order.size() * components);
+#pragma omp parallel if (parallel_from <= count)
+  {
+#pragma omp for schedule(static)
+    for (Index k = 0; k < count; ++k) {
+      const auto from = static_cast<std::size_t>(order[static_cast<std::size_t>(k)]) * components;
+      const auto to = static_cast<std::size_t>(k) * components;
+      for (std::size_t c = 0; c < components; ++c) work[to + c] = values[from + c];
+    }
+#pragma omp for schedule(static)
+    for (std::size_t k = 0; k < work.size(); ++k) values[k] = work[k];
   }
+  values.resize(work.size());
+}
+
+void Cloud::rearrange(std::span<const Index> order) {
+  for (Field& field : fields_)
+    mote::rearrange(field.values, static_cast<std::size_t>(field.components), order, rearranged_);
   count_ = static_cast<Index>(order.size());
 }
 

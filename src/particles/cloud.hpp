@@ -21,6 +21,11 @@ struct Field {
   std::vector<double> values;
 };
 
+/// Puts what was at place order[k], so many numbers a place, at place k; places that `order` does
+/// not name are gone.
+void rearrange(std::vector<double>& values, std::size_t components, std::span<const Index> order,
+               std::vector<double>& work);
+
 /// The particles: named fields, position first. All that a step needs is in here, which is what
 /// makes a restart exact. Spans into it stay valid while fields are added and when it is moved.
 class Cloud {

@@ -1,6 +1,6 @@
 // Cost of a weakly compressible flow: slopes of kernels, one pass over all pairs, and whole steps
 // of dam breaks with search, walls and density diffusion. Directed pairs are those within the
-// support around a fluid particle. Run by hand on a quiet machine: benchmark_flow
+// support, each counted from both its ends. Run by hand on a quiet machine: benchmark_flow
 // --benchmark_repetitions=5
 
 #include <benchmark/benchmark.h>
@@ -100,10 +100,10 @@ struct Fluid {
     const auto cloud = jittered_cloud<D>({.side = side, .jitter = 0.05, .variation = 0});
     CellGrid<D> grid;
     const double reach = 2 * smoothing_length;
-    const auto order = grid.order(cloud.position, cloud.size(), reach);
+    const auto place = grid.order(cloud.position, cloud.size(), reach);
     std::vector<double> position;
     Draws draws(2);
-    for (const Index i : order) {
+    for (const Index i : place) {
       PairLine<D> line;
       for (int d = 0; d < D; ++d) {
         position.push_back(line.value[PairLine<D>::position + d] = cloud.position[i * D + d]);
@@ -113,11 +113,13 @@ struct Fluid {
       line.value[PairLine<D>::pressure] = draws.uniform(0, 1);
       lines.push_back(line);
     }
-    grid.find(position, cloud.size(), reach, {}, lists);
+    grid.find(position, cloud.size(), reach, {}, ListForm::later, lists);
+    order.arrange(lists, cloud.size());
   }
 
   std::vector<PairLine<D>> lines;
   NeighbourLists lists;
+  PairOrder order;
 };
 
 /// One evaluation of all pair terms of a dam break.
@@ -127,14 +129,13 @@ void force_pass(benchmark::State& state, const std::string& name, Index side, in
   const Fluid<D> fluid(side);
   const auto count = fluid.lines.size();
   const FluidTermsOn<D, WendlandC2<D>> terms;
-  const FluidCoefficients<D> coefficients{.mass = 1, .diffusion = 1, .artificial_viscosity = 1};
-  const std::vector<std::uint8_t> idle(count);
-  std::vector<double> acceleration(count * D), rate(count);
+  const FluidCoefficients<D> coefficients{
+      .smoothing_length = smoothing_length, .mass = 1, .diffusion = 1, .artificial_viscosity = 1};
+  std::vector<PairSums> sums(count);
   Clock clock;
   std::int64_t pairs = 0;
   const auto pass = [&] {
-    return terms.add_up(fluid.lines, fluid.lists, idle, smoothing_length, coefficients,
-                        {acceleration, rate});
+    return terms.add_up(fluid.lines, fluid.lists, fluid.order, coefficients, sums);
   };
   pass();
   for (auto _ : state) {

@@ -70,10 +70,10 @@ void grid(benchmark::State& state, bool in_order, int threads) {
   NeighbourLists lists;
   std::vector<double> position;
   put_in_order(grid, points, position);
-  grid.find(position, points.receivers, reach<D>(), {}, lists);
+  grid.find(position, points.receivers, reach<D>(), {}, ListForm::any_order, lists);
   for (auto _ : state) {
     if (!in_order) put_in_order(grid, points, position);
-    grid.find(position, points.receivers, reach<D>(), {}, lists);
+    grid.find(position, points.receivers, reach<D>(), {}, ListForm::any_order, lists);
   }
   report(state, lists);
 }

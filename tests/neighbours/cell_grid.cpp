@@ -149,7 +149,7 @@ TYPED_TEST(CellGridIn, ListsOrderedPointsInOrder) {
     const double reach = 2 * cloud.length[0];
     const auto points = ordered(cloud, reach);
     NeighbourLists lists;
-    CellGrid<D>().find(points.position, points.receivers, reach, {}, lists);
+    CellGrid<D>().find(points.position, points.receivers, reach, {}, ListForm::any_order, lists);
     EXPECT_TRUE(lists == all_pairs(points, {.support = 2})) << name;
   }
 }
@@ -183,8 +183,32 @@ TYPED_TEST(CellGridIn, LeavesOutPairsOfIdlePoints) {
   const auto pairs = expected.pairs();
   expected.keep_if([&](Index i, Index j) { return !(idle[i] && idle[j]); });
   EXPECT_LT(expected.pairs(), pairs);
-  CellGrid<D>().find(points.position, points.receivers, 2 * points.length[0], idle, lists);
+  CellGrid<D>().find(points.position, points.receivers, 2 * points.length[0], idle,
+                     ListForm::any_order, lists);
   EXPECT_TRUE(sorted(lists) == expected);
+}
+
+/// Whatever the order of the points, and where the cells are folded; receivers that rest keep all
+/// their neighbours.
+TYPED_TEST(CellGridIn, ListsLaterNeighboursAlone) {
+  constexpr int D = TestFixture::D;
+  std::int64_t left_out = 0;
+  for (const auto& [name, cloud] : clouds_for_grids<D>())
+    for (const bool in_order : {false, true}) {
+      const double reach = 2 * cloud.length[0];
+      const auto points = in_order ? ordered(cloud, reach) : cloud;
+      std::vector<std::uint8_t> idle(points.length.size());
+      for (std::size_t i = 0; i < idle.size(); ++i) idle[i] = i % 3 == 0;
+      NeighbourLists all, later;
+      CellGrid<D> grid;
+      grid.find(points.position, points.receivers, reach, idle, ListForm::ascending, all);
+      EXPECT_TRUE(sorted(all) == all) << name;
+      grid.find(points.position, points.receivers, reach, idle, ListForm::later, later);
+      left_out += all.pairs() - later.pairs();
+      all.keep_if([&](Index i, Index j) { return idle[i] || j > i; });
+      EXPECT_TRUE(later == all) << name;
+    }
+  EXPECT_GT(left_out, 1000);
 }
 
 TYPED_TEST(CellGridIn, GivesTheSameAtAnyNumberOfThreads) {

@@ -109,10 +109,6 @@ PlainRates<D> plain_rates(const FluidInABox<D>& fluid, const Kernel& kernel, std
   PlainRates<D> rates;
   const double h = fluid.smoothing_length;
   const double volume_i = fluid.lines[i].value[PairLine<D>::volume];
-  // Where a list leaves lanes free, the receiver is its own neighbour up to seven times, which
-  // gives 0 but for rounding.
-  rates.density_rate.magnitude +=
-      7 * 2 * c.diffusion * fluid.mass * std::abs(kernel.slope_over_q(0.0)) / std::pow(h, D + 2);
   for (const Index j : neighbours) {
     const PlainPair<D> pair(fluid, kernel, i, static_cast<std::size_t>(j));
     const double vf = pair.volume * pair.f, approach = pair.u.dot(pair.x);
