@@ -109,6 +109,17 @@ void CellGrid<D>::spread(std::span<const double> position, Index receivers, bool
   }
 }
 
+/// Takes over points that stand in the order of cells; returns whether they do. The first few of
+/// those that do not mostly tell.
+template <int D>
+bool CellGrid<D>::spread_in_order(std::span<const double> position, Index receivers) {
+  const auto few = static_cast<Index>(std::min<std::size_t>(100, position.size() / D));
+  find_cells(position.first(static_cast<std::size_t>(few) * D), receivers);
+  if (!std::ranges::is_sorted(cell_)) return false;
+  spread(position, receivers, true);
+  return std::ranges::is_sorted(cell_);
+}
+
 /// Marks the place of every cell's first point. The thread of a point marks the cells after those
 /// of the point before.
 template <int D>
@@ -128,14 +139,16 @@ void CellGrid<D>::find(std::span<const double> position, Index receivers, double
   lists.restart(receivers, position.size() / D + scan_lanes);
   if (receivers == 0) return;
   layout_ = CellLayout<D>(position, reach);
-  spread(position, receivers, true);
-  const bool sorted = std::ranges::is_sorted(cell_);
+  const bool sorted = spread_in_order(position, receivers);
   if (!sorted) {
+    find_cells(position, receivers);
     sort();
     spread(position, receivers, false);
+    order_.resize(order_.size() + scan_lanes);
   }
   mark_starts();
-  SortedPoints<D> points{layout_, {}, {}, cell_.data(), start_.data(), others_};
+  SortedPoints<D> points{
+      layout_, {}, {}, cell_.data(), start_.data(), sorted ? nullptr : order_.data(), others_};
   for (int d = 0; d < D; ++d) {
     points.place[d] = place_[d].data();
     points.rough[d] = rough_[d].data();
@@ -154,7 +167,6 @@ void CellGrid<D>::find(std::span<const double> position, Index receivers, double
         const bool rests = !idle.empty() && idle[i];
         const bool later = form == ListForm::later && !rests;
         Index* end = scan.find(list, later && ascends);
-        if (!sorted) std::transform(list, end, list, [&](Index j) { return order_[j]; });
         if (rests) end = std::remove_if(list, end, [&](Index j) { return idle[j] != 0; });
         if (later && !ascends) end = std::remove_if(list, end, [&](Index j) { return j < i; });
         if (form != ListForm::any_order && !ascends) std::sort(list, end);

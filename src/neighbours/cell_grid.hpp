@@ -35,6 +35,7 @@ class CellGrid {
   void sort();
   void sort_by_id(std::span<const Index> id);
   void spread(std::span<const double> position, Index receivers, bool sorted);
+  bool spread_in_order(std::span<const double> position, Index receivers);
   void mark_starts();
   Index all_cells() const { return layout_.cells * (others_ ? 2 : 1); }
 

@@ -57,6 +57,7 @@ struct SortedPoints {
   std::array<const float*, D> rough;  ///< place in the layout's rough unit, if it has one
   const Index* cell;                  ///< of each point
   const Index* start;                 ///< place of a cell's first point
+  const Index* number;                ///< of each point, to be listed; null where it is its place
   bool others;                        ///< whether there are cells of others
 };
 
@@ -212,7 +213,7 @@ class CellScan {
     const int packs = packs_;
     std::array<Lanes, D> at;
     for (int d = 0; d < D; ++d) at[d] = place[d][receiver_];
-    Lanes doubt = 0;
+    unsigned doubt = 0;
     for (int k = first_; k < packs; ++k) {
       const Index j = pack_[k];
       const auto squared_difference = [&](int d) {
@@ -221,11 +222,10 @@ class CellScan {
       };
       Lanes sum = squared_difference(0);
       for (int d = 1; d < D; ++d) sum += squared_difference(d);
-      const auto near = sum <= possible;
-      near_[k] = bits_of<Real>(near);
-      where(near && sum > certain, doubt) = 1;
+      near_[k] = bits_of<Real>(sum <= possible);
+      doubt |= near_[k] ^ bits_of<Real>(sum <= certain);
     }
-    return simd::none_of(doubt > 0);
+    return doubt == 0;
   }
 
   /// Writes the points that are near.
@@ -234,9 +234,8 @@ class CellScan {
     const int packs = packs_;
     for (int k = first_; k < packs; ++k) {
       const unsigned near = near_[k] & lanes_[k];
-      const IndexLanes first = IndexLanes{} + pack_[k];
-      list = write_lanes(list, near & 255, first);
-      list = write_lanes(list, near >> list_lanes, first + list_lanes);
+      list = write_lanes(list, near & 255, pack_[k]);
+      list = write_lanes(list, near >> list_lanes, pack_[k] + list_lanes);
     }
     return list;
   }
@@ -248,10 +247,16 @@ class CellScan {
     for (int k = 0; k < 4; ++k) __builtin_prefetch(list + distance + k * line, 1);
   }
 
-  [[gnu::always_inline]] static Index* write_lanes(Index* list, unsigned near, IndexLanes first) {
+  [[gnu::always_inline]] Index* write_lanes(Index* list, unsigned near, Index first) const {
     IndexLanes found;
     std::memcpy(&found, lane_table.lanes[near], sizeof(found));
-    found += first;
+    if (points_.number) {
+      IndexLanes numbers;
+      std::memcpy(&numbers, points_.number + first, sizeof(numbers));
+      found = __builtin_shuffle(numbers, found);
+    } else {
+      found += first;
+    }
     std::memcpy(list, &found, sizeof(found));
     return list + std::popcount(near);
   }
