@@ -46,18 +46,25 @@ constexpr double cut(double formula, double q, double support) {
   return formula;
 }
 
-/// Eight values of a kernel's function at a time. A kernel that has no formula for lanes is asked
+/// A kernel with formulas for lanes.
+template <class K>
+concept LaneKernel = requires(const K kernel, const Lanes q) {
+  { kernel.value(q) } -> std::convertible_to<Lanes>;
+  { kernel.slope_over_q(q) } -> std::convertible_to<Lanes>;
+};
+
+/// Eight values of a kernel's function at a time. A kernel that has no formulas for lanes is asked
 /// lane by lane.
 template <class K>
 [[gnu::always_inline]] inline Lanes value_of(const K& kernel, const Lanes& q) {
-  if constexpr (requires { kernel.value(q); })
+  if constexpr (LaneKernel<K>)
     return kernel.value(q);
   else
     return Lanes([&](auto lane) { return kernel.value(q[lane]); });
 }
 template <class K>
 [[gnu::always_inline]] inline Lanes slope_over_q_of(const K& kernel, const Lanes& q) {
-  if constexpr (requires { kernel.slope_over_q(q); })
+  if constexpr (LaneKernel<K>)
     return kernel.slope_over_q(q);
   else
     return Lanes([&](auto lane) { return kernel.slope_over_q(q[lane]); });

@@ -6,13 +6,6 @@
 
 namespace mote {
 
-/// A kernel with formulas for lanes.
-template <class K>
-concept LaneKernel = requires(const K kernel, const Lanes q) {
-  { kernel.value(q) } -> std::convertible_to<Lanes>;
-  { kernel.slope_over_q(q) } -> std::convertible_to<Lanes>;
-};
-
 /// Any kernel, asked for one number at a time. All kernels without formulas for lanes share the
 /// pair terms on this one: slower, but compiled once.
 class KernelByNumber {

@@ -26,6 +26,17 @@ struct FluidCoefficients {
   double viscosity = 0;             ///< dynamic viscosity mu
 };
 
+/// What stands at a point, for the account of friction. A ghost's velocity carries the fluid's on
+/// beyond a wall: friction with it counts half, since the other half is that of a mirrored fluid.
+enum class PairRole : std::uint8_t { plain, beside_ghosts, ghost };
+
+/// All points that pairs are made of, the receivers first.
+template <int D>
+struct PairPoints {
+  std::span<const PairLine<D>> lines;
+  std::span<const PairRole> roles;  ///< of every point
+};
+
 /// What a pass over all pairs found beside the sums.
 struct FluidPass {
   std::int64_t pairs = 0;  ///< within the support, once for each of its ends that is a receiver
@@ -73,22 +84,26 @@ class AnyFluidTerms {
 ///   D rho/Dt = rho_i sum V_j u.x F  -  2 delta h c sum V_j (rho_j - rho_i + x.grad rho_rest) F,
 ///   rho_i Du/Dt = sum V_j F [ -(p_i + p_j) x + alpha h c rho0 min(u.x, 0)/(r^2 + 0.01 h^2) x
 ///                             + 2 mu u ].
-/// Every pair is met once, and what it adds to one end it takes from the other to the last bit: the
-/// force V_i V_j F [...], since all particles have the same mass m, and the diffusion's part of
-/// D ln rho/Dt, since V_j (rho_j - rho_i) = rho_i (V_i - V_j). So momentum is kept.
+/// Every pair of receivers is met once, and what it adds to one end it takes from the other to the
+/// last bit: the force V_i V_j F [...], since all particles have the same mass m, and the
+/// diffusion's part of D ln rho/Dt, since V_j (rho_j - rho_i) = rho_i (V_i - V_j). So momentum is
+/// kept.
 template <int D>
 class FluidTerms : public AnyFluidTerms {
  public:
   /// Support of the kernel in smoothing lengths.
   virtual double support() const = 0;
 
-  /// Adds to the sums of all receivers. `lines` and `sums` are those of all points, `lists` the
-  /// neighbours of the receivers, in the order of numbers, of which only those after the receiver
-  /// itself are looked at, and `order` was arranged for these. Sums of points that are no receivers
-  /// mean nothing.
-  virtual FluidPass add_up(std::span<const PairLine<D>> lines, const NeighbourLists& lists,
+  /// Adds to the sums of all receivers. `lists` are the neighbours of the receivers, in the order
+  /// of numbers, of which only those after the receiver itself are looked at, and `order` was
+  /// arranged for these.
+  virtual FluidPass add_up(const PairPoints<D>& points, const NeighbourLists& lists,
                            const PairOrder& order, const FluidCoefficients<D>& coefficients,
                            std::span<PairSums> sums) const = 0;
+
+  /// The sums of one point over these neighbours.
+  virtual PairSums sums_of(const PairPoints<D>& points, Index i, std::span<const Index> neighbours,
+                           const FluidCoefficients<D>& coefficients) const = 0;
 
   /// Density by summation, sum m W_ij with the particle itself, of receiver i.
   virtual double density(std::span<const PairLine<D>> lines, Index i,

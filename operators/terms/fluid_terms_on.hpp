@@ -34,14 +34,21 @@ class FluidTermsOn final : public FluidTerms<D> {
 
   double support() const override { return kernel_.support(); }
 
-  FluidPass add_up(Lines lines, const NeighbourLists& lists, const PairOrder& order,
+  FluidPass add_up(const PairPoints<D>& points, const NeighbourLists& lists, const PairOrder& order,
                    const FluidCoefficients<D>& coefficients,
                    std::span<PairSums> sums) const override {
     passes_.assign(order.blocks(), {});
-    const Loop loop(lines, lists.receivers(), coefficients, sums.data());
+    const Loop loop(points, coefficients);
+    const bool images = points.lines.size() > static_cast<std::size_t>(lists.receivers());
     order.for_each_block([&](Index block, Index begin, Index end) {
       FluidPass& pass = passes_[static_cast<std::size_t>(block)];
-      for (Index i = begin; i < end; ++i) add_pairs(loop, i, later_neighbours(lists, i), pass);
+      for (Index i = begin; i < end; ++i) {
+        const auto later = later_neighbours(lists, i);
+        const auto middle =
+            images ? std::ranges::lower_bound(later, lists.receivers()) : later.end();
+        add_pairs(loop, i, {later.begin(), middle}, sums, pass);
+        if (images) add_pairs_with_images(loop, i, {middle, later.end()}, sums, pass);
+      }
     });
     FluidPass all;
     for (const FluidPass& pass : passes_) {
@@ -49,6 +56,11 @@ class FluidTermsOn final : public FluidTerms<D> {
       all.dissipation += pass.dissipation;
     }
     return all;
+  }
+
+  PairSums sums_of(const PairPoints<D>& points, Index i, std::span<const Index> neighbours,
+                   const FluidCoefficients<D>& coefficients) const override {
+    return sum_up(Loop(points, coefficients), i, neighbours, nullptr).sums;
   }
 
   [[gnu::flatten]] double density(Lines lines, Index i, std::span<const Index> neighbours,
@@ -169,17 +181,13 @@ class FluidTermsOn final : public FluidTerms<D> {
 
   /// What all pairs of a pass have in common.
   struct Loop {
-    Lines lines;
-    Index receivers;
-    PairSums* sums;
+    PairPoints<D> points;
     double mass, inverse, scale, softening, artificial, drag, diffusion;
     Vec<D> at_rest;  ///< gradient of the density at rest
     bool carried, pressed, rests, diffuses, brakes, drags;
 
-    Loop(Lines all, Index firsts, const FluidCoefficients<D>& c, PairSums* of_all)
-        : lines(all),
-          receivers(firsts),
-          sums(of_all),
+    Loop(const PairPoints<D>& all, const FluidCoefficients<D>& c)
+        : points(all),
           mass(c.mass),
           inverse(1 / c.smoothing_length),
           scale(over_length(inverse, D + 2)),
@@ -196,37 +204,60 @@ class FluidTermsOn final : public FluidTerms<D> {
           drags(c.viscosity != 0) {}
   };
 
-  /// Adds the pairs of one point. Those with images, which are no receivers, are met again from
-  /// the receiver's side by the image's owner, and so count half.
-  [[gnu::flatten]] void add_pairs(const Loop& loop, Index i, std::span<const Index> neighbours,
-                                  FluidPass& pass) const {
-    const auto images = loop.lines.size() == static_cast<std::size_t>(loop.receivers)
-                            ? neighbours.end()
-                            : std::ranges::lower_bound(neighbours, loop.receivers);
-    const std::span<const Index> parts[] = {{neighbours.begin(), images},
-                                            {images, neighbours.end()}};
-    for (int part = 0; part < 2; ++part) {
-      if (parts[part].empty()) continue;
-      const FluidPass found = add_some_pairs(loop, i, parts[part]);
-      pass.pairs += (2 - part) * found.pairs;
-      pass.dissipation += found.dissipation / (1 + part);
-    }
+  /// What the pairs of one point come to.
+  struct Found {
+    PairSums sums;
+    FluidPass pass;
+  };
+
+  void add_pairs(const Loop& loop, Index i, std::span<const Index> neighbours,
+                 std::span<PairSums> sums, FluidPass& pass) const {
+    if (neighbours.empty()) return;
+    const Found found = sum_up(loop, i, neighbours, sums.data());
+    add(found.sums, sums[static_cast<std::size_t>(i)]);
+    pass.pairs += 2 * found.pass.pairs;
+    pass.dissipation += found.pass.dissipation;
   }
 
-  /// Adds up  Du/Dt = V_i/m sum V_j F [...]  and
+  /// Pairs with images, which are no receivers, are met again where the image's owner meets one of
+  /// this receiver.
+  void add_pairs_with_images(const Loop& loop, Index i, std::span<const Index> neighbours,
+                             std::span<PairSums> sums, FluidPass& pass) const {
+    if (neighbours.empty()) return;
+    const Found found = sum_up(loop, i, neighbours, nullptr);
+    add(found.sums, sums[static_cast<std::size_t>(i)]);
+    pass.pairs += found.pass.pairs;
+    pass.dissipation += 0.5 * found.pass.dissipation;
+  }
+
+  static void add(const PairSums& term, PairSums& sum) {
+    for (std::size_t k = 0; k < sum.value.size(); ++k) sum.value[k] += term.value[k];
+  }
+
+  /// Halves the power that is lost to ghosts.
+  static void halve_losses(const PairPoints<D>& points, Index i, const EightNeighbours& eight,
+                           Lanes& lost) {
+    for (std::size_t lane = 0; lane < lane_count; ++lane)
+      if (points.roles[static_cast<std::size_t>(i)] == PairRole::ghost ||
+          points.roles[static_cast<std::size_t>(eight.number[lane])] == PairRole::ghost)
+        lost[lane] *= 0.5;
+  }
+
+  /// Sums up  Du/Dt = V_i/m sum V_j F [...]  and
   ///   D ln rho/Dt = sum F [V_j u.x + 2 delta h c (V_j - V_i) - 2 delta h c V_i V_j x.grad
-  ///   rho_rest/m].
-  [[gnu::flatten]] FluidPass add_some_pairs(const Loop& loop, Index i,
-                                            std::span<const Index> neighbours) const {
+  ///   rho_rest/m]
+  /// of point i, and takes what the other ends get from `others`, if these are given.
+  [[gnu::flatten]] Found sum_up(const Loop& loop, Index i, std::span<const Index> neighbours,
+                                PairSums* others) const {
     const Loop all = loop;
-    const Line receiver = all.lines[static_cast<std::size_t>(i)];
+    const Line receiver = all.points.lines[static_cast<std::size_t>(i)];
     const double volume = receiver.value[Line::volume], pressure = receiver.value[Line::pressure];
     const double share = volume / all.mass;
+    const bool ghosts = all.points.roles[static_cast<std::size_t>(i)] != PairRole::plain;
     Lanes force[D], rate = 0, lost = 0, near = 0;
     for (int d = 0; d < D; ++d) force[d] = 0;
-    FluidPass pass;
     for_each_eight<D>(
-        all.lines, i, neighbours,
+        all.points.lines, i, neighbours,
         [&](const LineLanes& lanes, const EightNeighbours& eight) __attribute__((always_inline)) {
           const EightPairs<D> pair(receiver, lanes, all.inverse);
           where(pair.q <= kernel_.support() * rim_tolerance, near) += 1;
@@ -253,14 +284,14 @@ class FluidTermsOn final : public FluidTerms<D> {
           }
           rate = rate + exchange;
 
-          Lanes along = 0;
+          Lanes along = 0, losses = 0;
           if (all.pressed) along = pressure + lanes[Line::pressure];
           if (all.brakes) {
             Lanes brake = approach / (pair.squared + all.softening);
             where(approach > 0, brake) = 0;
             brake = all.artificial * brake;
             along = along - brake;
-            lost = lost + both * brake * approach;
+            losses = both * brake * approach;
           }
           along = along * -both;
           for (int d = 0; d < D; ++d) sent[d] = along * pair.x[d];
@@ -268,21 +299,24 @@ class FluidTermsOn final : public FluidTerms<D> {
             for (int d = 0; d < D; ++d) {
               const Lanes pull = all.drag * both * u[d];
               sent[d] = sent[d] + pull;
-              lost = lost + pull * u[d];
+              losses = losses + pull * u[d];
             }
+          if (ghosts) [[unlikely]]
+            halve_losses(all.points, i, eight, losses);
+          lost = lost + losses;
           for (int d = 0; d < D; ++d) force[d] = force[d] + sent[d];
-          take_from(all.sums, eight.number, sent);
+          if (others) take_from(others, eight.number, sent);
         });
-    PairSums& sum = all.sums[i];
-    for (int d = 0; d < D; ++d) sum.value[d] += sum_of(force[d]);
-    sum.value[PairSums::rate] += sum_of(rate);
+    Found found;
+    for (int d = 0; d < D; ++d) found.sums.value[d] = sum_of(force[d]);
+    found.sums.value[PairSums::rate] = sum_of(rate);
     // Where lanes were left free, the receiver was near to itself.
-    pass.pairs =
+    found.pass.pairs =
         std::lround(sum_of(near)) -
         static_cast<std::int64_t>(packs_for(neighbours.size()) * lane_count - neighbours.size());
     // Slopes are negative.
-    pass.dissipation = -all.mass * sum_of(lost);
-    return pass;
+    found.pass.dissipation = -all.mass * sum_of(lost);
+    return found;
   }
 
   Kernel kernel_;

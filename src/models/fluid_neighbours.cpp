@@ -111,7 +111,7 @@ void FluidNeighbours<D>::find_among(std::span<const double> place,
     });
     lists_.sort();
   }
-  pair_order_.arrange(lists_, static_cast<Index>(idle.size()));
+  pair_order_.arrange(lists_);
 }
 
 template class FluidNeighbours<2>;

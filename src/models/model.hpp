@@ -33,9 +33,9 @@ struct Conserved {
 
 /// How much work the operator's pair sums were.
 struct PairWork {
-  std::int64_t pairs = 0;        ///< pairs of neighbours visited
-  std::int64_t evaluations = 0;  ///< times that lists were built
-  double mean_neighbours = 0;    ///< a particle, in the last lists
+  std::int64_t pairs = 0;        ///< directed: a receiver and a neighbour within its support
+  std::int64_t evaluations = 0;  ///< times that they were summed over, or listed
+  double mean_neighbours = 0;    ///< pairs a particle, the last time
 };
 
 /// A length of step that a run must not exceed, infinite if there is none, and what sets it. An

@@ -65,6 +65,9 @@ void WeaklyCompressible<D>::refuse_what_does_not_go_together() const {
       options_.viscosity == Viscosity::morris || options_.viscosity == Viscosity::by_operator;
   if (has_viscosity && options_.kinematic_viscosity == 0)
     throw InputError("model.viscosity", "this viscosity needs 'kinematic', and it is 0");
+  if (options_.walls == WallForm::dynamic && options_.divergence == Derivatives::by_operator)
+    throw InputError("model.divergence",
+                     "dynamic walls carry their density in pairs, and need 'divergence: pairs'");
   if (!has_viscosity && options_.kinematic_viscosity > 0)
     throw InputError("model.viscosity",
                      "'kinematic' belongs to the viscosities morris and operator");
@@ -175,6 +178,7 @@ void WeaklyCompressible<D>::prepare(double) {
 template <int D>
 void WeaklyCompressible<D>::start_afresh() {
   lists_are_current_ = rates_are_current_ = false;
+  furthest_shift_ = 0;
 }
 
 template <int D>
@@ -193,7 +197,7 @@ template <int D>
 void WeaklyCompressible<D>::begin_step(double time, double step) {
   now_ = time;
   move_walls(time);
-  const double travel = step * (highest_speed_ + step * highest_acceleration_);
+  const double travel = step * (highest_speed_ + step * highest_acceleration_) + furthest_shift_;
   if (!lists_are_current_ || moved_ + 1.1 * travel > skin_ / 2) rebuild(time, travel);
   ++course_.steps;
 }
@@ -211,12 +215,12 @@ void WeaklyCompressible<D>::rebuild(double time, double travel) {
 
 /// How far the rows should reach beyond the kernel: a longer reach lasts for more steps and costs
 /// more in each. The best is where both costs grow alike, (skin/reach)^2 = 2 R travel/(D reach),
-/// with rows costing about R = 1.5 passes.
+/// with rows costing about as much as R = 1 pass.
 template <int D>
 double WeaklyCompressible<D>::skin_for(double travel) const {
   if (start_.skin) return *start_.skin * reach_;
-  const double best = std::sqrt(3 * travel / (D * reach_));
-  return reach_ * std::clamp(best, 0.02, 0.1);
+  const double best = std::sqrt(2 * travel / (D * reach_));
+  return reach_ * std::clamp(best, 0.01, 0.1);
 }
 
 template <int D>
@@ -226,6 +230,7 @@ void WeaklyCompressible<D>::find_neighbours() {
   const Index count = cloud_.count();
   lines_.resize(static_cast<std::size_t>(count) + neighbours_.images().size());
   sums_.assign(lines_.size(), {});
+  assign_roles();
 #pragma omp parallel for schedule(static) if (parallel_from <= count)
   for (Index i = 0; i < count; ++i)
     std::copy_n(position_.begin() + std::ptrdiff_t{i} * D, D,
@@ -233,6 +238,30 @@ void WeaklyCompressible<D>::find_neighbours() {
   moved_ = 0;
   lists_are_current_ = true;
   ++course_.rebuilds;
+}
+
+/// Walls into which the fluid is continued are ghosts.
+template <int D>
+void WeaklyCompressible<D>::assign_roles() {
+  const auto ghost = [&](Index i) {
+    return is_wall(i) && options_.walls == WallForm::extrapolated;
+  };
+  const auto& lists = neighbours_.lists();
+  const Index count = cloud_.count();
+  roles_.assign(lines_.size(), PairRole::plain);
+  const auto images = neighbours_.images();
+  for (std::size_t k = 0; k < images.size(); ++k)
+    if (ghost(images[k].owner)) roles_[static_cast<std::size_t>(count) + k] = PairRole::ghost;
+#pragma omp parallel for schedule(static) if (parallel_from <= count)
+  for (Index i = 0; i < count; ++i) {
+    const auto meets = [&](Index j) {
+      return ghost(j < count ? j : images[static_cast<std::size_t>(j - count)].owner);
+    };
+    if (ghost(i))
+      roles_[static_cast<std::size_t>(i)] = PairRole::ghost;
+    else if (std::ranges::any_of(lists[i], meets))
+      roles_[static_cast<std::size_t>(i)] = PairRole::beside_ghosts;
+  }
 }
 
 /// Whether any sum but those over pairs is over all neighbours of a particle of the fluid.
@@ -270,27 +299,33 @@ void WeaklyCompressible<D>::remove_what_left(double time) {
   rearrange(order_);
 }
 
+/// Whether a particle of the fluid is further outside the domain than a wall is thick.
 template <int D>
 bool WeaklyCompressible<D>::has_left(Index i) const {
-  bool left = false;
+  return !is_wall(i) && !side_left(i).empty();
+}
+
+/// The side of the domain that a particle is so far beyond; empty if it is not.
+template <int D>
+std::string_view WeaklyCompressible<D>::side_left(Index i) const {
+  constexpr std::string_view lower[] = {"x_lower", "y_lower", "z_lower"};
+  constexpr std::string_view upper[] = {"x_upper", "y_upper", "z_upper"};
   for (std::size_t d = 0; d < D; ++d) {
     const double x = position_[static_cast<std::size_t>(i) * D + d];
-    left |= x < start_.lower[d] - reach_ || x > start_.upper[d] + reach_;
+    if (x < start_.lower[d] - reach_) return lower[d];
+    if (x > start_.upper[d] + reach_) return upper[d];
   }
-  return left && !is_wall(i);
+  return "";
 }
 
 template <int D>
 std::string WeaklyCompressible<D>::describe_removed(Index i, double time) const {
-  std::string place, side;
-  for (std::size_t d = 0; d < D; ++d) {
-    const double x = position_[static_cast<std::size_t>(i) * D + d];
-    place += fmt::format("{}{:.6g}", d > 0 ? ", " : "", x);
-    if (!side.empty()) continue;
-    if (x < start_.lower[d] - reach_) side = std::string(axis_names[d]) + "_lower";
-    if (x > start_.upper[d] + reach_) side = std::string(axis_names[d]) + "_upper";
-  }
-  return fmt::format("particle {} at ({}) through {}, t = {:.6g}", id_[i], place, side, time);
+  std::string place;
+  for (std::size_t d = 0; d < D; ++d)
+    place +=
+        fmt::format("{}{:.6g}", d > 0 ? ", " : "", position_[static_cast<std::size_t>(i) * D + d]);
+  return fmt::format("particle {} at ({}) through {}, t = {:.6g}", id_[i], place, side_left(i),
+                     time);
 }
 
 template <int D>
@@ -305,8 +340,8 @@ void WeaklyCompressible<D>::update_rates_ahead(double time, double ahead) {
   write_image_lines();
   if (options_.density_form == FluidDensity::summation) sum_densities();
   if (options_.walls == WallForm::extrapolated) write_wall_lines();
-  const FluidPass pass =
-      terms_->add_up(lines_, neighbours_.lists(), neighbours_.pair_order(), coefficients_, sums_);
+  const FluidPass pass = terms_->add_up({lines_, roles_}, neighbours_.lists(),
+                                        neighbours_.pair_order(), coefficients_, sums_);
   dissipation_ = pass.dissipation;
   work_.pairs += pass.pairs;
   work_.evaluations += 1;

@@ -79,9 +79,11 @@ class WeaklyCompressible final : public Model {
   void find_neighbours();
   double skin_for(double travel) const;
   bool needs_all_neighbours() const;
+  void assign_roles();
   void rearrange(std::span<const Index> order);
   void remove_what_left(double time);
   bool has_left(Index i) const;
+  std::string_view side_left(Index i) const;
   std::string describe_removed(Index i, double time) const;
   bool is_wall(Index i) const { return idle_[static_cast<std::size_t>(i)] != 0; }
   const Body& body_of(Index i) const;
@@ -153,13 +155,14 @@ class WeaklyCompressible final : public Model {
   FluidNeighbours<D> neighbours_;
   std::vector<Index> order_;
   std::vector<Line> lines_;
-  std::vector<PairSums> sums_;  ///< of every line; 0 between evaluations
+  std::vector<PairSums> sums_;   ///< of every line; 0 between evaluations
+  std::vector<PairRole> roles_;  ///< of every line
   std::vector<WallMotion> motions_;
   bool lists_are_current_ = false, rates_are_current_ = false;
   double now_ = 0;               ///< time of the last step's start
   double skin_ = 0, moved_ = 0;  ///< how far lists reach beyond the kernel; how far particles went
   Index fluids_ = 0;             ///< fluid particles at the start
-  double highest_speed_ = 0, highest_acceleration_ = 0;
+  double highest_speed_ = 0, highest_acceleration_ = 0, furthest_shift_ = 0;
   double dissipation_ = 0;
   PairWork work_;
 

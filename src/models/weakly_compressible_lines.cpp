@@ -161,7 +161,6 @@ void WeaklyCompressible<D>::finish_rates(double time, double ahead) {
     most = std::max(most, acceleration.squaredNorm());
     speed = std::max(speed, Vec<D>::Map(velocity_.data() + std::ptrdiff_t{i} * D).squaredNorm());
   }
-  std::fill(sums_.begin() + count, sums_.end(), PairSums{});
   highest_speed_ = std::sqrt(speed);
   highest_acceleration_ = std::sqrt(most);
   if (highest_speed_ <= course_.fastest) return;

@@ -9,20 +9,20 @@ namespace mote {
 namespace {
 
 /// Sum of what `of(i)` gives, in fixed blocks, so that it does not depend on the threads.
-template <class Of>
-double sum_over(Index count, Of of) {
+template <class Value, class Of>
+Value sum_over(Index count, const Value& zero, Of of) {
   constexpr Index block_size = 1024;
   const Index blocks = (count + block_size - 1) / block_size;
-  std::vector<double> sums(static_cast<std::size_t>(blocks));
+  std::vector<Value> sums(static_cast<std::size_t>(blocks));
 #pragma omp parallel for schedule(static) if (parallel_from <= count)
   for (Index block = 0; block < blocks; ++block) {
-    double sum = 0;
+    Value sum = zero;
     for (Index i = block * block_size; i < std::min(count, (block + 1) * block_size); ++i)
       sum += of(i);
     sums[static_cast<std::size_t>(block)] = sum;
   }
-  double total = 0;
-  for (const double sum : sums) total += sum;
+  Value total = zero;
+  for (const Value& sum : sums) total += sum;
   return total;
 }
 
@@ -32,7 +32,7 @@ double sum_over(Index count, Of of) {
 template <int D>
 template <class Term>
 double WeaklyCompressible<D>::sum_over_fluid(Term term) const {
-  return mass_ * sum_over(cloud_.count(), [&](Index i) { return is_wall(i) ? 0.0 : term(i); });
+  return mass_ * sum_over(cloud_.count(), 0.0, [&](Index i) { return is_wall(i) ? 0.0 : term(i); });
 }
 
 template <int D>
@@ -131,18 +131,21 @@ Parameters WeaklyCompressible<D>::parameters() const {
 }
 
 /// The pair forces on the wall's particles, as they act on the fluid with the opposite sign; none
-/// before the first evaluation.
+/// before neighbours are known.
 template <int D>
 Triple WeaklyCompressible<D>::force_on(std::size_t body) const {
-  std::vector<PairSums> sums(lines_.size());
+  const auto& lists = neighbours_.lists();
   FluidCoefficients<D> coefficients = coefficients_;
   coefficients.pressure = true;
   coefficients.viscosity = state_.density * options_.kinematic_viscosity;
-  terms_->add_up(lines_, neighbours_.lists(), neighbours_.pair_order(), coefficients, sums);
+  const auto of_particle = [&](Index i) -> Vec<D> {
+    if (static_cast<std::size_t>(body_[i]) != body) return Vec<D>::Zero();
+    const PairSums sums = terms_->sums_of({lines_, roles_}, i, lists[i], coefficients);
+    return Vec<D>::Map(sums.value.data());
+  };
+  const Vec<D> sum = mass_ * sum_over(lists.receivers(), Vec<D>(Vec<D>::Zero()), of_particle);
   Triple force{};
-  for (Index i = 0; i < neighbours_.lists().receivers(); ++i)
-    for (std::size_t d = 0; d < D && static_cast<std::size_t>(body_[i]) == body; ++d)
-      force[d] += mass_ * sums[static_cast<std::size_t>(i)].value[d];
+  std::copy_n(sum.begin(), D, force.begin());
   return force;
 }
 

@@ -54,7 +54,10 @@ void WeaklyCompressible<D>::shift_particles(double time, double step) {
   const double limit = 0.1 * start_.spacing;
   gains_.assign(static_cast<std::size_t>(cloud_.count()), Vec<D>::Zero());
   moves_.assign(gains_.size(), 0);
-#pragma omp parallel for schedule(dynamic, 256) if (parallel_from <= cloud_.count())
+  double furthest = 0;
+#pragma omp parallel for schedule(dynamic, 256) \
+    reduction(max                               \
+              : furthest) if (parallel_from <= cloud_.count())
   for (Index i = 0; i < cloud_.count(); ++i) {
     if (is_wall(i)) continue;
     const FluidSpread<D> spread = spread_of(i);
@@ -69,6 +72,7 @@ void WeaklyCompressible<D>::shift_particles(double time, double step) {
       shift -= (1 - part) * shift.dot(normal) * normal;
     }
     if (shift.norm() > limit) shift *= limit / shift.norm();
+    furthest = std::max(furthest, shift.norm());
     const Mat<D> inverse = spread.moment.inverse();
     Vec<D>::Map(position_.data() + std::ptrdiff_t{i} * D) += shift;
     gains_[static_cast<std::size_t>(i)] = spread.velocity * inverse * shift;
@@ -76,6 +80,7 @@ void WeaklyCompressible<D>::shift_particles(double time, double step) {
     if (options_.density_form == FluidDensity::continuity)
       density_[i] += spread.density.dot(inverse * shift);
   }
+  furthest_shift_ = furthest;
   Vec<D> mean = Vec<D>::Zero();
   for (const Vec<D>& gain : gains_) mean += gain;
   mean /= std::max<double>(1, static_cast<double>(std::ranges::count(moves_, 1)));
@@ -107,7 +112,7 @@ void WeaklyCompressible<D>::add_density_correction() {
   copy_slopes_to_images();
 #pragma omp parallel for schedule(dynamic, 256) if (parallel_from <= cloud_.count())
   for (Index i = 0; i < cloud_.count(); ++i)
-    if (!is_wall(i)) {
+    if (!is_wall(i) || options_.walls == WallForm::dynamic) {
       const auto k = static_cast<std::size_t>(i);
       const double added =
           terms_->linear_diffusion(lines_, i, neighbours_.lists()[i], smoothing_length_, slopes_);

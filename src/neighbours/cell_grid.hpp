@@ -25,8 +25,8 @@ class CellGrid {
 
   /// The points within `reach` of every receiver, the rim included; of two points that are `idle`
   /// (one flag a point, or none at all) neither is in the list of the other. Points can have any
-  /// order, and it is much faster where they have the one of `order`. Lists are in the order of
-  /// cells, and those that are `ascending` in that of numbers.
+  /// order, and it is much faster where they have the one of `order`. Lists of any order are in the
+  /// order of cells; see ListForm.
   void find(std::span<const double> position, Index receivers, double reach,
             std::span<const std::uint8_t> idle, ListForm form, NeighbourLists& lists);
 

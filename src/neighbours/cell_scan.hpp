@@ -86,7 +86,7 @@ class CellScan {
 
   /// Writes the neighbours that are there, or the `later` of them alone, those with higher numbers,
   /// in the order of places; returns their end. Writes up to a pack of lanes beyond it. Later ones
-  /// can be asked for where the layout is not folded.
+  /// can be asked for where points stand in order and the layout is not folded.
   Index* find(Index* list, bool later) {
     if (all_listed_) [[likely]]
       return test(list, later);

@@ -33,8 +33,13 @@ std::int64_t NeighbourLists::pairs() const {
 }
 
 void NeighbourLists::restart(Index receivers, std::size_t longest) {
-  first_.assign(static_cast<std::size_t>(receivers), nullptr);
-  count_.assign(static_cast<std::size_t>(receivers), 0);
+  first_.resize(static_cast<std::size_t>(receivers));
+  count_.resize(static_cast<std::size_t>(receivers));
+#pragma omp parallel for schedule(static) if (parallel_from <= receivers)
+  for (Index i = 0; i < receivers; ++i) {
+    first_[i] = nullptr;
+    count_[i] = 0;
+  }
   used_ = 0;
   if (longest <= slab_size_) return;
   slabs_.clear();

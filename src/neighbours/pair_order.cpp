@@ -18,11 +18,11 @@ constexpr Index shared_colours = 64;
 
 }  // namespace
 
-void PairOrder::arrange(const NeighbourLists& lists, Index points) {
+void PairOrder::arrange(const NeighbourLists& lists) {
   receivers_ = lists.receivers();
   shift_ = block_shift_for(receivers_);
   find_reached_blocks(lists);
-  choose_colours((points + block_size() - 1) >> shift_);
+  choose_colours();
   sort_by_colour();
 }
 
@@ -36,17 +36,19 @@ void PairOrder::find_reached_blocks(const NeighbourLists& lists) {
     found.reserve(64);
     found.push_back(block);
     for (Index i = first_of(block); i < first_of(block + 1); ++i)
-      for (const Index j : later_neighbours(lists, i))
-        if (const Index other = j >> shift_;
-            other != found.back() && std::ranges::find(found, other) == found.end())
+      for (const Index j : later_neighbours(lists, i)) {
+        if (j >= receivers_) break;
+        const Index other = j >> shift_;
+        if (other != found.back() && std::ranges::find(found, other) == found.end())
           found.push_back(other);
+      }
   }
 }
 
-/// Gives every block the first colour that no block before it has that reaches the same points, and
-/// one of its own where none is left.
-void PairOrder::choose_colours(Index point_blocks) {
-  taken_.assign(static_cast<std::size_t>(point_blocks), 0);
+/// Gives every block the first colour that no block before it has that reaches the same receivers,
+/// and one of its own where none is left.
+void PairOrder::choose_colours() {
+  taken_.assign(reached_.size(), 0);
   colour_.clear();
   Index next_of_its_own = shared_colours;
   for (const auto& blocks : reached_) {

@@ -19,12 +19,12 @@ inline std::span<const Index> later_neighbours(const NeighbourLists& lists, Inde
 
 /// An order in which threads meet every pair of neighbours once and add to both its ends without
 /// waiting for each other: receivers in blocks of consecutive numbers, and a colour for each block
-/// so that no two of a colour reach the same point. Colours come one after the other. So what is
-/// added to a point, and in which order, depends on the lists alone, not on the threads.
+/// so that no two of a colour reach the same receiver. Colours come one after the other. So what is
+/// added to a receiver, and in which order, depends on the lists alone, not on the threads.
 class PairOrder {
  public:
-  /// Chooses blocks and their colours for lists that name so many points.
-  void arrange(const NeighbourLists& lists, Index points);
+  /// Chooses blocks and their colours for lists in the order of numbers.
+  void arrange(const NeighbourLists& lists);
 
   std::size_t blocks() const { return colour_.size(); }
   Index block_size() const { return Index{1} << shift_; }
@@ -37,15 +37,15 @@ class PairOrder {
  private:
   Index first_of(Index block) const { return std::min(receivers_, block << shift_); }
   void find_reached_blocks(const NeighbourLists& lists);
-  void choose_colours(Index point_blocks);
+  void choose_colours();
   void sort_by_colour();
 
   Index receivers_ = 0;
   int shift_ = 0;                            ///< a block has 2^shift receivers
   std::vector<Index> colour_;                ///< of each block
   std::vector<Index> sorted_, group_start_;  ///< blocks by colour, and where each colour starts
-  std::vector<std::vector<Index>> reached_;  ///< blocks of points that a block reaches, its own too
-  std::vector<std::uint64_t> taken_;         ///< one bit a colour that reaches a block of points
+  std::vector<std::vector<Index>> reached_;  ///< blocks that a block reaches, its own too
+  std::vector<std::uint64_t> taken_;         ///< one bit a colour that reaches a block
 };
 
 template <class Visit>

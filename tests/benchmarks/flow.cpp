@@ -114,7 +114,7 @@ struct Fluid {
       lines.push_back(line);
     }
     grid.find(position, cloud.size(), reach, {}, ListForm::later, lists);
-    order.arrange(lists, cloud.size());
+    order.arrange(lists);
   }
 
   std::vector<PairLine<D>> lines;
@@ -132,10 +132,11 @@ void force_pass(benchmark::State& state, const std::string& name, Index side, in
   const FluidCoefficients<D> coefficients{
       .smoothing_length = smoothing_length, .mass = 1, .diffusion = 1, .artificial_viscosity = 1};
   std::vector<PairSums> sums(count);
+  const std::vector<PairRole> roles(count);
   Clock clock;
   std::int64_t pairs = 0;
   const auto pass = [&] {
-    return terms.add_up(fluid.lines, fluid.lists, fluid.order, coefficients, sums);
+    return terms.add_up({fluid.lines, roles}, fluid.lists, fluid.order, coefficients, sums);
   };
   pass();
   for (auto _ : state) {

@@ -29,6 +29,18 @@ FlowCase busy_tank(double spacing) {
   return flow;
 }
 
+void make_periodic(FlowCase& flow) {
+  flow.plan.walls.erase(flow.plan.walls.begin(), flow.plan.walls.begin() + 2);
+  flow.plan.periodic[0] = true;
+}
+
+/// With nothing that needs all neighbours of a particle.
+void use_pairs_alone(FlowCase& flow) {
+  flow.options.diffusion = DensityDiffusion::fourtakas;
+  flow.options.shifting = 0;
+  flow.options.free_surface = false;
+}
+
 struct Way {
   const char* name;
   std::function<void(FlowCase&)> choose;
@@ -48,9 +60,11 @@ const std::vector<Way> ways{
        flow.options.shifting = 0;
      }},
     {"kd_tree", [](FlowCase& flow) { flow.search = "kd_tree"; }},
-    {"periodic", [](FlowCase& flow) {
-       flow.plan.walls.erase(flow.plan.walls.begin(), flow.plan.walls.begin() + 2);
-       flow.plan.periodic[0] = true;
+    {"periodic", make_periodic},
+    {"pairs_alone", use_pairs_alone},
+    {"pairs_alone_periodic", [](FlowCase& flow) {
+       make_periodic(flow);
+       use_pairs_alone(flow);
      }}};
 
 /// All fields of the cloud, particle by particle in the order of ids.
@@ -131,6 +145,27 @@ TEST_P(FlowOneWay, AllocatesNothingInItsSteps) {
 
 INSTANTIATE_TEST_SUITE_P(, FlowOneWay, testing::ValuesIn(ways),
                          [](const auto& way) { return std::string(way.param.name); });
+
+/// The free surface, which is no part of the motion, asks for all neighbours.
+TEST(PairsAlone, MoveAsThoseOutOfAllNeighbours) {
+  for (const bool periodic : {false, true})
+    for (const char* search : {"cell_grid", "kd_tree"}) {
+      FlowCase flow = busy_tank(0.02);
+      flow.search = search;
+      if (periodic) make_periodic(flow);
+      use_pairs_alone(flow);
+      std::vector<double> position[2];
+      for (const bool all : {false, true}) {
+        flow.options.free_surface = all;
+        const auto made = make_flow<2>(flow);
+        run(*made, 20 * step, 20);
+        const auto values = made->cloud().position();
+        position[all].assign(values.begin(), values.end());
+      }
+      EXPECT_TRUE(position[0] == position[1]) << search;
+      EXPECT_GT(position[0].size(), 1000);
+    }
+}
 
 /// Particles stand in the order of the search, so both searches list them alike. Rows that reach
 /// further, the negative control, add up in other packs and agree but for rounding.

@@ -29,6 +29,7 @@ struct FluidTermsInSpace : testing::Test {
   Kernel kernel;
   std::unique_ptr<FluidTerms<D>> terms = fluid_terms_by<D>(kernel);
   FluidInABox<D> fluid = fluid_in_a_box<D>(kernel.support());
+  std::vector<PairRole> roles = std::vector<PairRole>(fluid.lines.size());
   PlainLists everybody = all_of_all(fluid.count());
 
   static FluidCoefficients<D> nothing() {
@@ -59,9 +60,9 @@ struct FluidTermsInSpace : testing::Test {
     std::vector<PairSums> sums(fluid.lines.size());
     const NeighbourLists neighbours(lists);
     PairOrder order;
-    order.arrange(neighbours, fluid.count());
+    order.arrange(neighbours);
     c.smoothing_length = fluid.smoothing_length;
-    Rates rates{.pass = terms->add_up(fluid.lines, neighbours, order, c, sums)};
+    Rates rates{.pass = terms->add_up({fluid.lines, roles}, neighbours, order, c, sums)};
     for (std::size_t i = 0; i < lists.size(); ++i) {
       for (std::size_t d = 0; d < D; ++d) rates.acceleration.push_back(sums[i].value[d]);
       rates.density_rate.push_back(fluid.mass / fluid.lines[i].value[Line::volume] *
@@ -127,11 +128,43 @@ TYPED_TEST(FluidTermsInSpace, TakeListsOfAnyLength) {
   }
 }
 
-/// Points behind the receivers are met from one end only, and get nothing.
+/// Points behind the receivers are met from one end only.
 TYPED_TEST(FluidTermsInSpace, TakePointsThatAreNoReceivers) {
   PlainLists lists = this->everybody;
   lists.resize(41);
   for (const auto& c : this->combinations()) EXPECT_LE(this->distance(lists, lists, c), rounding);
+}
+
+TYPED_TEST(FluidTermsInSpace, AreTheSumsOfOnePoint) {
+  constexpr int D = TestFixture::D;
+  for (auto c : this->combinations()) {
+    const auto all = this->rates(this->everybody, c);
+    c.smoothing_length = this->fluid.smoothing_length;
+    const std::size_t i = 3;
+    const PairSums found =
+        this->terms->sums_of({this->fluid.lines, this->roles}, i, this->everybody[i], c);
+    for (std::size_t d = 0; d < D; ++d)
+      EXPECT_NEAR(found.value[d], all.acceleration[i * D + d], 1e-11);
+  }
+}
+
+/// A ghost's friction counts half, on whichever end it is, and what moves does not ask who it is.
+TYPED_TEST(FluidTermsInSpace, CountHalfOfTheFrictionWithGhosts) {
+  const auto& c = this->combinations()[6];
+  const std::size_t ghost = 5;
+  const auto plain = this->rates(this->everybody, c);
+  PlainLists without = this->everybody;
+  for (auto& list : without) std::erase(list, static_cast<Index>(ghost));
+  without[ghost].clear();
+  const double others = this->rates(without, c).pass.dissipation;
+  std::ranges::fill(this->roles, PairRole::beside_ghosts);
+  this->roles[ghost] = PairRole::ghost;
+  const auto found = this->rates(this->everybody, c);
+  EXPECT_NEAR(found.pass.dissipation, (plain.pass.dissipation + others) / 2,
+              1e-12 * plain.pass.dissipation);
+  EXPECT_GT(plain.pass.dissipation, 1.001 * others);
+  EXPECT_EQ(found.acceleration, plain.acceleration);
+  EXPECT_EQ(found.density_rate, plain.density_rate);
 }
 
 /// What one end of a pair gains the other loses, so nothing is left of all forces together.
