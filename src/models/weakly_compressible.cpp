@@ -220,13 +220,17 @@ template <int D>
 double WeaklyCompressible<D>::skin_for(double travel) const {
   if (start_.skin) return *start_.skin * reach_;
   const double best = std::sqrt(2 * travel / (D * reach_));
-  return reach_ * std::clamp(best, 0.01, 0.1);
+  return reach_ * std::clamp(best, 0.02, 0.1);
 }
 
 template <int D>
 void WeaklyCompressible<D>::find_neighbours() {
-  neighbours_.find(position_, idle_, reach_ + skin_,
-                   needs_all_neighbours() ? ListForm::ascending : ListForm::later);
+  find_neighbours(needs_all_neighbours() ? ListForm::ascending : ListForm::later);
+}
+
+template <int D>
+void WeaklyCompressible<D>::find_neighbours(ListForm form) {
+  neighbours_.find(position_, idle_, reach_ + skin_, form);
   const Index count = cloud_.count();
   lines_.resize(static_cast<std::size_t>(count) + neighbours_.images().size());
   sums_.assign(lines_.size(), {});
@@ -264,10 +268,11 @@ void WeaklyCompressible<D>::assign_roles() {
   }
 }
 
-/// Whether any sum but those over pairs is over all neighbours of a particle of the fluid.
+/// Whether any sum of a step but those over pairs is over all neighbours of a particle of the
+/// fluid.
 template <int D>
 bool WeaklyCompressible<D>::needs_all_neighbours() const {
-  return options_.shifting > 0 || options_.free_surface || uses_operator() ||
+  return options_.shifting > 0 || uses_operator() ||
          options_.diffusion == DensityDiffusion::antuono ||
          options_.density_form == FluidDensity::summation;
 }

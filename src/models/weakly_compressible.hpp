@@ -77,6 +77,7 @@ class WeaklyCompressible final : public Model {
   void name_parts();
   void rebuild(double time, double travel);
   void find_neighbours();
+  void find_neighbours(ListForm form);
   double skin_for(double travel) const;
   bool needs_all_neighbours() const;
   void assign_roles();

@@ -159,11 +159,16 @@ void WeaklyCompressible<D>::complete_fields() {
     pressure_[i] = lines_[static_cast<std::size_t>(i)].value[Line::pressure];
 }
 
-/// Where the free surface is.
+/// Where the free surface is, which takes all neighbours of a particle.
 template <int D>
 void WeaklyCompressible<D>::complete_snapshot() {
   complete_fields();
   if (!options_.free_surface) return;
+  if (!needs_all_neighbours()) {
+    find_neighbours(ListForm::ascending);
+    refresh_lines(now_);
+    lists_are_current_ = false;
+  }
 #pragma omp parallel for schedule(dynamic, 256) if (parallel_from <= cloud_.count())
   for (Index i = 0; i < cloud_.count(); ++i)
     surface_[i] = is_wall(i) ? 0 : smallest_eigenvalue<D>(spread_of(i).moment) < near_surface;

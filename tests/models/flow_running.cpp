@@ -38,7 +38,6 @@ void make_periodic(FlowCase& flow) {
 void use_pairs_alone(FlowCase& flow) {
   flow.options.diffusion = DensityDiffusion::fourtakas;
   flow.options.shifting = 0;
-  flow.options.free_surface = false;
 }
 
 struct Way {
@@ -146,31 +145,13 @@ TEST_P(FlowOneWay, AllocatesNothingInItsSteps) {
 INSTANTIATE_TEST_SUITE_P(, FlowOneWay, testing::ValuesIn(ways),
                          [](const auto& way) { return std::string(way.param.name); });
 
-/// The free surface, which is no part of the motion, asks for all neighbours.
-TEST(PairsAlone, MoveAsThoseOutOfAllNeighbours) {
-  for (const bool periodic : {false, true})
-    for (const char* search : {"cell_grid", "kd_tree"}) {
-      FlowCase flow = busy_tank(0.02);
-      flow.search = search;
-      if (periodic) make_periodic(flow);
-      use_pairs_alone(flow);
-      std::vector<double> position[2];
-      for (const bool all : {false, true}) {
-        flow.options.free_surface = all;
-        const auto made = make_flow<2>(flow);
-        run(*made, 20 * step, 20);
-        const auto values = made->cloud().position();
-        position[all].assign(values.begin(), values.end());
-      }
-      EXPECT_TRUE(position[0] == position[1]) << search;
-      EXPECT_GT(position[0].size(), 1000);
-    }
-}
-
 /// Particles stand in the order of the search, so both searches list them alike. Rows that reach
 /// further, the negative control, add up in other packs and agree but for rounding.
-TEST(Searches, AgreeToTheLastBit) {
+struct Searches : testing::TestWithParam<void (*)(FlowCase&)> {};
+
+TEST_P(Searches, AgreeToTheLastBit) {
   FlowCase flow = busy_tank(0.02);
+  GetParam()(flow);
   flow.search = "cell_grid";
   const std::vector<double> grid = state_after(flow, 2, 20);
   flow.search = "kd_tree";
@@ -186,6 +167,13 @@ TEST(Searches, AgreeToTheLastBit) {
   EXPECT_LT(apart, 1e-12 * scale);
   EXPECT_GT(apart, 0);
 }
+
+INSTANTIATE_TEST_SUITE_P(, Searches,
+                         testing::Values([](FlowCase&) {}, use_pairs_alone,
+                                         [](FlowCase& flow) {
+                                           make_periodic(flow);
+                                           use_pairs_alone(flow);
+                                         }));
 
 /// A block of fluid at rest on its own.
 FlowCase block() { return flow_in_a_box(2, 0.05, {0.5, 0.5}); }

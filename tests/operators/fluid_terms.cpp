@@ -148,6 +148,19 @@ TYPED_TEST(FluidTermsInSpace, AreTheSumsOfOnePoint) {
   }
 }
 
+/// Of every list the later neighbours are all that counts.
+TYPED_TEST(FluidTermsInSpace, AreTheSameBitsForListsOfLaterNeighbours) {
+  PlainLists later = this->everybody;
+  for (std::size_t i = 0; i < later.size(); ++i)
+    std::erase_if(later[i], [&](Index j) { return j < static_cast<Index>(i); });
+  for (const auto& c : this->combinations()) {
+    const auto all = this->rates(this->everybody, c), found = this->rates(later, c);
+    EXPECT_EQ(found.acceleration, all.acceleration);
+    EXPECT_EQ(found.density_rate, all.density_rate);
+    EXPECT_EQ(found.pass.pairs, all.pass.pairs);
+  }
+}
+
 /// A ghost's friction counts half, on whichever end it is, and what moves does not ask who it is.
 TYPED_TEST(FluidTermsInSpace, CountHalfOfTheFrictionWithGhosts) {
   const auto& c = this->combinations()[6];
