@@ -46,8 +46,8 @@ class FluidTermsOn final : public FluidTerms<D> {
         const auto later = later_neighbours(lists, i);
         const auto middle =
             images ? std::ranges::lower_bound(later, lists.receivers()) : later.end();
-        add_pairs(loop, i, {later.begin(), middle}, sums, pass);
-        if (images) add_pairs_with_images(loop, i, {middle, later.end()}, sums, pass);
+        add_pairs(loop, i, {later.begin(), middle}, false, sums, pass);
+        add_pairs(loop, i, {middle, later.end()}, true, sums, pass);
       }
     });
     FluidPass all;
@@ -210,24 +210,16 @@ class FluidTermsOn final : public FluidTerms<D> {
     FluidPass pass;
   };
 
-  void add_pairs(const Loop& loop, Index i, std::span<const Index> neighbours,
-                 std::span<PairSums> sums, FluidPass& pass) const {
-    if (neighbours.empty()) return;
-    const Found found = sum_up(loop, i, neighbours, sums.data());
-    add(found.sums, sums[static_cast<std::size_t>(i)]);
-    pass.pairs += 2 * found.pass.pairs;
-    pass.dissipation += found.pass.dissipation;
-  }
-
   /// Pairs with images, which are no receivers, are met again where the image's owner meets one of
   /// this receiver.
-  void add_pairs_with_images(const Loop& loop, Index i, std::span<const Index> neighbours,
-                             std::span<PairSums> sums, FluidPass& pass) const {
+  void add_pairs(const Loop& loop, Index i, std::span<const Index> neighbours, bool images,
+                 std::span<PairSums> sums, FluidPass& pass) const {
     if (neighbours.empty()) return;
-    const Found found = sum_up(loop, i, neighbours, nullptr);
+    const Found found = sum_up(loop, i, neighbours, images ? nullptr : sums.data());
     add(found.sums, sums[static_cast<std::size_t>(i)]);
-    pass.pairs += found.pass.pairs;
-    pass.dissipation += 0.5 * found.pass.dissipation;
+    const int ends = images ? 1 : 2;
+    pass.pairs += ends * found.pass.pairs;
+    pass.dissipation += 0.5 * ends * found.pass.dissipation;
   }
 
   static void add(const PairSums& term, PairSums& sum) {
