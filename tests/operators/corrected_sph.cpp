@@ -133,7 +133,7 @@ struct CorrectedSph : testing::Test {
     return op;
   }
 };
-TYPED_TEST_SUITE(CorrectedSph, KernelCases, KernelCaseName);
+TYPED_TEST_SUITE(CorrectedSph, OperatorKernelCases, KernelCaseName);
 
 /// The derivatives of polynomials of this degree, and what they are.
 template <int D>

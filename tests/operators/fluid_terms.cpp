@@ -100,7 +100,7 @@ struct FluidTermsInSpace : testing::Test {
     return worst;
   }
 };
-TYPED_TEST_SUITE(FluidTermsInSpace, SpaceCasesOf<Kernels>::type, KernelCaseName);
+TYPED_TEST_SUITE(FluidTermsInSpace, SpaceCasesOf<OperatorKernels>::type, KernelCaseName);
 
 TYPED_TEST(FluidTermsInSpace, AreTheirFormulaTermByTerm) {
   for (const auto& c : this->combinations())
@@ -169,7 +169,7 @@ TYPED_TEST(FluidTermsInSpace, AreTheSameBitsForListsOfLaterNeighbours) {
 
 /// A ghost's friction counts half, on whichever end it is, and what moves does not ask who it is.
 TYPED_TEST(FluidTermsInSpace, CountHalfOfTheFrictionWithGhosts) {
-  const auto& c = this->combinations()[6];
+  const auto c = this->combinations()[6];
   const std::size_t ghost = 5;
   const auto plain = this->rates(this->everybody, c);
   PlainLists without = this->everybody;

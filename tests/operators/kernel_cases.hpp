@@ -26,6 +26,15 @@ struct CasesOf<KernelList<K...>> {
 /// Every kernel of mote in every dimension.
 using KernelCases = CasesOf<Kernels>::type;
 
+/// The kernels that operators are tested on: all, but under the sanitizers, which look at memory
+/// and not at values, one that reaches far, one in pieces, and one with formulas for lanes.
+#ifdef MOTE_SANITIZED
+using OperatorKernels = KernelList<Gauss, CubicSpline, WendlandC2>;
+#else
+using OperatorKernels = Kernels;
+#endif
+using OperatorKernelCases = CasesOf<OperatorKernels>::type;
+
 struct KernelCaseName {
   template <class Case>
   static std::string GetName(int) {

@@ -46,7 +46,7 @@ struct Sph : testing::Test {
             summed_density(points, op.neighbour_rule(), op.kernel, points.mass)};
   }
 };
-TYPED_TEST_SUITE(Sph, KernelCases, KernelCaseName);
+TYPED_TEST_SUITE(Sph, OperatorKernelCases, KernelCaseName);
 
 TYPED_TEST(Sph, EqualsThePrintedSumsForEveryPairLength) {
   for (const PairLength length : pair_lengths) {

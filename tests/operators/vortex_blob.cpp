@@ -51,7 +51,7 @@ struct VortexBlob : testing::Test {
                          });
   }
 };
-TYPED_TEST_SUITE(VortexBlob, KernelCases, KernelCaseName);
+TYPED_TEST_SUITE(VortexBlob, OperatorKernelCases, KernelCaseName);
 
 TYPED_TEST(VortexBlob, EqualsThePrintedSumsWithAVorticityOfBothSigns) {
   auto op = TestFixture::make_operator();
