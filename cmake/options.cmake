@@ -20,6 +20,6 @@ if(MOTE_SANITIZE)
   # Checks of every access for null and alignment take longer to compile than all others together, and a
   # null access traps anyway.
   add_compile_options(-fsanitize=address,undefined -fno-sanitize=null,alignment,vptr
-                      -fno-sanitize-recover=all -O1 -g1)
+                      -fno-sanitize-recover=all -Og -g1)
   add_link_options(-fsanitize=address,undefined)
 endif()
