@@ -107,10 +107,10 @@ void choose_smoothers(HYPRE_Solver amg, bool singular) {
 }
 
 /// For matrices of 20 to 60 entries a row: coarsening by PMIS (De Sterck, Yang, Heys, SIAM J.
-/// Matrix Anal. Appl. 27 (2006) 1019), interpolation `extended+e` with at most four entries a row
-/// (Li, Sjogreen, Yang, SIAM J. Sci. Comput. 43 (2021) S397). One level of aggressive coarsening
-/// would halve the set-up and double the iterations; together that is slower in 2D and the same in
-/// 3D.
+/// Matrix Anal. Appl. 27 (2006) 1019), interpolation `extended+e` by products of matrices (Li,
+/// Sjogreen, Yang, SIAM J. Sci. Comput. 43 (2021)) with at most four entries a row. One level of
+/// aggressive coarsening would shorten the set-up by a third and double the iterations; together
+/// that is slower in 2D and the same in 3D.
 void choose_levels(HYPRE_Solver amg) {
   constexpr HYPRE_Int pmis = 8, extended_e = 18;
   HYPRE_BoomerAMGSetCoarsenType(amg, pmis);
