@@ -14,6 +14,7 @@ install(EXPORT mote NAMESPACE mote:: FILE moteTargets.cmake DESTINATION ${packag
 configure_package_config_file(cmake/moteConfig.cmake.in moteConfig.cmake INSTALL_DESTINATION ${package})
 write_basic_package_version_file(moteConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/moteConfig.cmake ${PROJECT_BINARY_DIR}/moteConfigVersion.cmake
+              cmake/FindHYPRE.cmake
         DESTINATION ${package})
 
 # The same share/mote beside bin/ in the build folder, so that the program finds it there too.
