@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mote/operators/differential/corrected_mps.hpp"
 #include "mote/operators/differential/corrected_sph.hpp"
 #include "mote/operators/differential/finite_difference.hpp"
 #include "mote/operators/differential/least_squares.hpp"
@@ -31,6 +32,6 @@ constexpr void for_each_family(FamilyList<Family...>, Visit&& visit) {
 
 /// The operator families of mote. A new one is its own file and a word in one of these lists.
 using KernelFamilies = KernelFamilyList<Sph, Morris, CorrectedSph, VortexBlob>;
-using PlainFamilies = FamilyList<Mps, MpsAsSph, Quadratic, Cubic, Quartic, FiniteDifference>;
+using PlainFamilies = FamilyList<Mps, CorrectedMps, MpsAsSph, Quadratic, Cubic, Quartic, FiniteDifference>;
 
 }  // namespace mote

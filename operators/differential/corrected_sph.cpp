@@ -31,7 +31,8 @@ void CorrectedForm<D>::prepare(const Points<D>& points, const NeighbourLists& li
 #pragma omp parallel for schedule(static) if (parallel_from <= points.receivers)
   for (Index i = 0; i < points.receivers; ++i)
     corrections_[i] = correction_of(moments_of(this->slopes_of(i)));
-  for (Index i = 0; i < points.receivers; ++i) refuse_bad_neighbourhood(i);
+  for (Index i = 0; i < points.receivers; ++i)
+    if (points.needs_weights(i)) refuse_bad_neighbourhood(i);
 }
 
 template <int D>

@@ -43,6 +43,9 @@ class DifferentialOperator : public AnyOperator {
   /// calls below. Throws NumericalFailure where a receiver has no usable neighbourhood.
   virtual void prepare(const Points<D>& points, const NeighbourLists& lists) = 0;
 
+  /// Whether l_ij = l_ji between receivers of equal mass, density and length.
+  virtual bool has_symmetric_laplacian() const { return false; }
+
   /// g_ij of receiver i, one vector for each of its neighbours in list order. [1/length]
   virtual void gradient_weights(Index i, std::span<Vec<D>> weights) const = 0;
 

@@ -58,7 +58,8 @@ class KernelSums : public DifferentialOperator<D> {
     density_gradient_.resize(static_cast<std::size_t>(points.receivers));
 #pragma omp parallel for schedule(static) if (parallel_from <= points.receivers)
     for (Index i = 0; i < points.receivers; ++i) sum_density(i);
-    for (Index i = 0; i < points.receivers; ++i) refuse_bad_sums(i);
+    for (Index i = 0; i < points.receivers; ++i)
+      if (points.needs_weights(i)) refuse_bad_sums(i);
   }
 
   void gradient_weights(Index i, std::span<Vec<D>> weights) const override {

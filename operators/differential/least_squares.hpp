@@ -54,7 +54,8 @@ class LeastSquares final : public DifferentialOperator<D> {
     fits_.resize(static_cast<std::size_t>(points.receivers));
 #pragma omp parallel for schedule(static) if (parallel_from <= points.receivers)
     for (Index i = 0; i < points.receivers; ++i) fit(i);
-    for (Index i = 0; i < points.receivers; ++i) refuse_bad_neighbourhood(i);
+    for (Index i = 0; i < points.receivers; ++i)
+      if (points.needs_weights(i)) refuse_bad_neighbourhood(i);
   }
 
   void gradient_weights(Index i, std::span<Vec<D>> weights) const override {

@@ -18,7 +18,8 @@ void MorrisForm<D>::prepare(const Points<D>& points, const NeighbourLists& lists
     for (const auto& [x, weight] : this->slopes_of(i)) sum += weight * x.squaredNorm();
     scale_[i] = D / sum;
   }
-  for (Index i = 0; i < points.receivers; ++i) refuse_bad_neighbourhood(i);
+  for (Index i = 0; i < points.receivers; ++i)
+    if (points.needs_weights(i)) refuse_bad_neighbourhood(i);
 }
 
 template <int D>

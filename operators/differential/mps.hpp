@@ -6,10 +6,14 @@
 #include <vector>
 
 #include "mote/operators/differential/differential_operator.hpp"
+#include "mote/operators/weights/lattice_sum.hpp"
 #include "mote/operators/weights/reciprocal.hpp"
 #include "mote/particles/failure.hpp"
 
 namespace mote {
+
+/// Which number density n and mean square distance lambda divide the weights of MPS.
+enum class MpsConstants { local, lattice };
 
 /// The moving particle semi-implicit method (Isshiki 2014, (70), (71), in D dimensions after
 /// Koshizuka & Oka 1996):
@@ -28,10 +32,19 @@ class Mps final : public DifferentialOperator<D> {
 
   double smoothing_length = Weight::usual_length;  ///< in local spacings
   PairLength length = PairLength::mean;
+  MpsConstants constants = MpsConstants::local;
 
   void describe(Description& description) override {
+    static constexpr Word<MpsConstants> choices[] = {
+        {MpsConstants::local, "local", "each particle's own, as in (70) and (71)"},
+        {MpsConstants::lattice, "lattice",
+         "those of a lattice, n0 and lambda0, which makes the Laplacian symmetric"}};
     describe_lengths(description, smoothing_length, length);
+    describe_words(description, {"constants", "which n and lambda weights are divided by"},
+                   constants, choices);
   }
+
+  bool has_symmetric_laplacian() const override { return constants == MpsConstants::lattice; }
 
   NeighbourRule neighbour_rule() const override {
     return {Weight::support, smoothing_length, length};
@@ -54,6 +67,7 @@ class Mps final : public DifferentialOperator<D> {
       lambda_[i] = moment / n;
     }
     refuse_bad_neighbourhoods();
+    if (constants == MpsConstants::lattice) take_lattice_constants();
   }
 
   void gradient_weights(Index i, std::span<Vec<D>> weights) const override {
@@ -81,7 +95,29 @@ class Mps final : public DifferentialOperator<D> {
       weights[k] = 2 * D / (lambda_[i] * number_density_[i]) * weight(i, list[k]);
   }
 
+  /// lambda of a lattice, in squared spacings.
+  double lattice_lambda() const {
+    const double moment = lattice_sum<D>(smoothing_length, [this](double distance) {
+      return distance * distance * Weight::value(distance / smoothing_length);
+    });
+    return moment / lattice_density();
+  }
+
  private:
+  /// n0 and lambda0 of a lattice with each receiver's spacing (Koshizuka & Oka 1996).
+  void take_lattice_constants() {
+    const double n0 = lattice_density(), lambda0 = lattice_lambda();
+    for (Index i = 0; i < points_->receivers; ++i) {
+      number_density_[i] = n0;
+      lambda_[i] = lambda0 * points_->length[i] * points_->length[i];
+    }
+  }
+  double lattice_density() const {
+    return lattice_sum<D>(smoothing_length, [this](double distance) {
+      return Weight::value(distance / smoothing_length);
+    });
+  }
+
   double squared_distance(Index i, Index j) const {
     return (points_->at(i) - points_->at(j)).squaredNorm();
   }
@@ -94,6 +130,7 @@ class Mps final : public DifferentialOperator<D> {
     for (Index i = 0; i < points_->receivers; ++i) {
       // A neighbour on the rim has the weight 0, or what rounding makes of it: that is none.
       constexpr double rounding = 1e-9;
+      if (!points_->needs_weights(i)) continue;
       if (number_density_[i] > rounding && std::isfinite(lambda_[i])) continue;
       const bool coincident = !std::isfinite(number_density_[i]);
       const std::string what = coincident ? " coincides with another" : " has no neighbour";

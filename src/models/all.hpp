@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mote/models/incompressible_options.hpp"
 #include "mote/models/pressureless_gas.hpp"
 #include "mote/models/weakly_compressible_options.hpp"
 #include "mote/options/type_list.hpp"
@@ -7,6 +8,6 @@
 namespace mote {
 
 /// The models of mote. A new one is its pair of files, a scenario and a word here.
-using Models = TypeList<PressurelessGasRecipe, WeaklyCompressibleRecipe>;
+using Models = TypeList<PressurelessGasRecipe, WeaklyCompressibleRecipe, IncompressibleRecipe>;
 
 }  // namespace mote

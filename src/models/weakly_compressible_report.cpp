@@ -3,36 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mote/models/fixed_sum.hpp"
 #include "mote/models/weakly_compressible.hpp"
 
 namespace mote {
-namespace {
-
-/// Sum of what `of(i)` gives, in fixed blocks, so that it does not depend on the threads.
-template <class Value, class Of>
-Value sum_over(Index count, const Value& zero, Of of) {
-  constexpr Index block_size = 1024;
-  const Index blocks = (count + block_size - 1) / block_size;
-  std::vector<Value> sums(static_cast<std::size_t>(blocks));
-#pragma omp parallel for schedule(static) if (parallel_from <= count)
-  for (Index block = 0; block < blocks; ++block) {
-    Value sum = zero;
-    for (Index i = block * block_size; i < std::min(count, (block + 1) * block_size); ++i)
-      sum += of(i);
-    sums[static_cast<std::size_t>(block)] = sum;
-  }
-  Value total = zero;
-  for (const Value& sum : sums) total += sum;
-  return total;
-}
-
-}  // namespace
 
 /// Sum over the fluid's particles of their mass times `term(i)`.
 template <int D>
 template <class Term>
 double WeaklyCompressible<D>::sum_over_fluid(Term term) const {
-  return mass_ * sum_over(cloud_.count(), 0.0, [&](Index i) { return is_wall(i) ? 0.0 : term(i); });
+  return mass_ * fixed_sum(cloud_.count(), 0.0, [&](Index i) { return is_wall(i) ? 0.0 : term(i); });
 }
 
 template <int D>
@@ -143,7 +123,7 @@ Triple WeaklyCompressible<D>::force_on(std::size_t body) const {
     const PairSums sums = terms_->sums_of({lines_, roles_}, i, lists[i], coefficients);
     return Vec<D>::Map(sums.value.data());
   };
-  const Vec<D> sum = mass_ * sum_over(lists.receivers(), Vec<D>(Vec<D>::Zero()), of_particle);
+  const Vec<D> sum = mass_ * fixed_sum(lists.receivers(), Vec<D>(Vec<D>::Zero()), of_particle);
   Triple force{};
   std::copy_n(sum.begin(), D, force.begin());
   return force;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,12 @@ struct Points {
   std::vector<double> density;
   std::vector<double> circulation, vorticity;  ///< empty where there is no vorticity
   std::vector<double> length;  ///< local spacing; smoothing lengths are multiples of it
+  /// Receivers whose weights nobody wants, which may have any neighbourhood; empty: none.
+  std::vector<std::uint8_t> exempt;
+
+  bool needs_weights(Index i) const {
+    return exempt.empty() || exempt[static_cast<std::size_t>(i)] == 0;
+  }
 
   Index size() const { return static_cast<Index>(length.size()); }
 

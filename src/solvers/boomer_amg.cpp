@@ -92,18 +92,23 @@ class Matrix {
   HYPRE_IJMatrix handle_ = nullptr;
 };
 
-constexpr HYPRE_Int down = 1, up = 2, coarsest = 3;  // parts of a cycle
+constexpr HYPRE_Int down = 1, up = 2;  // parts of a cycle
 
 /// Forward sweeps on the way down and backward ones on the way up make a symmetric cycle. On one
 /// process the l1 norms add nothing to the diagonal, and this is Gauss-Seidel.
-void choose_smoothers(HYPRE_Solver amg, bool singular) {
-  constexpr HYPRE_Int forward = 13, backward = 14, symmetric = 8;
+void choose_smoothers(HYPRE_Solver amg) {
+  constexpr HYPRE_Int forward = 13, backward = 14;
   HYPRE_BoomerAMGSetCycleRelaxType(amg, forward, down);
   HYPRE_BoomerAMGSetCycleRelaxType(amg, backward, up);
-  if (!singular) return;
-  // Elimination, hypre's choice on the coarsest level, would divide by zero.
-  HYPRE_BoomerAMGSetCycleRelaxType(amg, symmetric, coarsest);
-  HYPRE_BoomerAMGSetCycleNumSweeps(amg, 10, coarsest);
+}
+
+/// Makes a singular matrix regular by a little more on its diagonal, for the elimination on the
+/// coarsest level, which would divide by zero otherwise. Relaxation there instead does not converge
+/// for every matrix that is not symmetric.
+SparseMatrix made_regular(SparseMatrix matrix) {
+  constexpr double little = 1e-6;
+  for (Index i = 0; i < matrix.rows(); ++i) matrix.coeffRef(i, i) *= 1 + little;
+  return matrix;
 }
 
 /// For matrices of 20 to 60 entries a row: coarsening by PMIS (De Sterck, Yang, Heys, SIAM J.
@@ -132,12 +137,12 @@ void choose_one_cycle(HYPRE_Solver amg) {
 /// What hypre keeps of a matrix.
 struct BoomerAmg::Levels {
   explicit Levels(const SparseMatrix& values, bool singular)
-      : matrix(values),
+      : matrix(singular ? made_regular(values) : values),
         residual(static_cast<Index>(values.rows())),
         correction(static_cast<Index>(values.rows())) {
     HYPRE_BoomerAMGCreate(&amg);
     choose_levels(amg);
-    choose_smoothers(amg, singular);
+    choose_smoothers(amg);
     choose_one_cycle(amg);
     HYPRE_BoomerAMGSetup(amg, matrix.get(), residual.get(), correction.get());
   }

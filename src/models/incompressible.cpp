@@ -1,0 +1,224 @@
+#include "mote/models/incompressible.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "mote/operators/differential/mps.hpp"
+#include "mote/particles/failure.hpp"
+
+namespace mote {
+namespace {
+
+template <class Wanted, class Given>
+std::unique_ptr<Wanted> as(std::unique_ptr<Given> given) {
+  return std::unique_ptr<Wanted>(dynamic_cast<Wanted*>(given.release()));
+}
+
+/// How far the operator and the terms on its kernel reach.
+template <int D>
+double reach_of(const SpaceSetup& setup) {
+  const auto& terms = dynamic_cast<const FluidTerms<D>&>(*setup.terms);
+  return setup.spacing * std::max({terms.support() * setup.smoothing_length, counted_within,
+                                   setup.differential_operator->neighbour_rule().reach()});
+}
+
+}  // namespace
+
+template <int D>
+Incompressible<D>::Incompressible(const IncompressibleOptions& options, SpaceSetup setup)
+    : options_(options),
+      particles_(setup, setup.search, setup.skin, reach_of<D>(setup)),
+      terms_(as<FluidTerms<D>>(std::move(setup.terms))),
+      operator_(as<DifferentialOperator<D>>(std::move(setup.differential_operator))),
+      smoothing_length_(setup.smoothing_length * setup.spacing),
+      volume_(std::pow(setup.spacing, D)),
+      mass_(options.density * volume_) {
+  refuse_what_does_not_go_together();
+  for (int thread = 0; thread < omp_get_max_threads(); ++thread) {
+    forces_.emplace_back();
+    for (const std::string& formula : options_.force)
+      forces_.back().push_back(particles_.start().compile(formula));
+  }
+  if (options_.free_surface) particles_.cloud().add("surface", FieldKind::scalar, "");
+  particles_.cloud().add("relative_density", FieldKind::scalar, "");
+  choose_solver();
+  find_full_neighbourhood();
+}
+
+template <int D>
+void Incompressible<D>::choose_solver() {
+  if (options_.laplacian == PressureLaplacian::mps) {
+    auto mps = std::make_unique<Mps<D>>();
+    mps->constants = MpsConstants::lattice;
+    mps->smoothing_length = particles_.reach() / spacing();
+    pressure_operator_ = std::move(mps);
+  }
+  const auto& second = pressure_operator_ ? *pressure_operator_ : *operator_;
+  solver_ = make_linear_solver(options_.solver,
+                               {.symmetric = second.has_symmetric_laplacian(),
+                                .singular = !options_.free_surface,
+                                .tolerance = options_.tolerance,
+                                .most_iterations = static_cast<Index>(options_.most_iterations),
+                                .name = "the pressure equation"});
+}
+
+template <int D>
+void Incompressible<D>::refuse_what_does_not_go_together() const {
+  if (!options_.gravity.empty() && options_.gravity.size() != D)
+    throw InputError("model.gravity",
+                     fmt::format("'gravity' needs {} numbers, one a dimension, and has {}", D,
+                                 options_.gravity.size()));
+  if (!options_.force.empty() && options_.force.size() != D)
+    throw InputError("model.force",
+                     fmt::format("'force' needs {} formulas, one a dimension, and has {}", D,
+                                 options_.force.size()));
+  if (options_.tolerance < LinearSolver::least_tolerance)
+    throw InputError("model.solver.tolerance",
+                     fmt::format("rounding alone leaves residuals of {:.0e}, and 'tolerance' is "
+                                 "{:.3g}",
+                                 LinearSolver::least_tolerance, options_.tolerance));
+  if (!options_.free_surface && !options_.mean_pressure)
+    throw InputError("model.free_surface",
+                     "without a free surface nothing fixes the level of the pressure: "
+                     "'mean_pressure' is needed");
+  if (options_.free_surface && options_.mean_pressure)
+    throw InputError("model.mean_pressure",
+                     "at a free surface the pressure is 0, so 'mean_pressure' cannot be given");
+}
+
+template <int D>
+Vec<D> Incompressible<D>::gravity() const {
+  if (options_.gravity.empty()) return Vec<D>::Zero();
+  return Vec<D>::Map(options_.gravity.data());
+}
+
+template <int D>
+Vec<D> Incompressible<D>::force_at(Index i, double time) const {
+  if (options_.force.empty()) return Vec<D>::Zero();
+  Triple place{};
+  std::copy_n(particles_.position(i).data(), D, place.begin());
+  const auto& formulas = forces_[static_cast<std::size_t>(omp_get_thread_num())];
+  Vec<D> force;
+  for (int d = 0; d < D; ++d) force[d] = formulas[static_cast<std::size_t>(d)](place, time);
+  return force;
+}
+
+template <int D>
+void Incompressible<D>::end_step(double time, double step) {
+  const auto start = std::chrono::steady_clock::now();
+  const double instant = 1e-4 * step;
+  particles_.observe_walls(time, instant);
+  particles_.drift(step / 2);
+  take_positions(time, step * highest_speed());
+  predict(time, step);
+  project(time, step);
+  if (options_.collision_distance > 0) collide();
+  particles_.observe_walls(time + step, instant);
+  particles_.drift(step / 2);
+  if (options_.shifting > 0) shift_particles(time + step, step);
+  ++course_.steps;
+  course_.stepping +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Neighbours, densities, the surface and all weights at the places where particles are now.
+template <int D>
+void Incompressible<D>::take_positions(double time, double travel) {
+  particles_.update_neighbours(time, travel);
+  for (Line& line : particles_.lines()) line.value[Line::volume] = volume_;
+  particles_.copy_to_images();
+  find_surface();
+  fill_points();
+  find_weights();
+  if (pattern_of_ != particles_.rebuilds()) make_pattern();
+  work_.pairs += static_cast<std::int64_t>(weights_.pairs());
+  work_.evaluations += 1;
+  work_.mean_neighbours =
+      static_cast<double>(weights_.pairs()) / std::max<Index>(1, particles_.fluids());
+}
+
+/// What operators see of the lines.
+template <int D>
+void Incompressible<D>::fill_points() {
+  const auto& lines = particles_.lines();
+  points_.resize(static_cast<Index>(lines.size()), particles_.fluids());
+  points_.exempt.assign(alone_.size(), options_.free_surface);
+#pragma omp parallel for schedule(static) if (parallel_from <= points_.size())
+  for (Index k = 0; k < points_.size(); ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    Vec<D>::Map(points_.position.data() + std::ptrdiff_t{k} * D) = lines[at].place();
+    points_.mass[at] = mass_;
+    points_.density[at] = options_.density;
+    points_.length[at] = spacing();
+  }
+}
+
+/// A particle without usable weights counts as one at the surface that is alone.
+template <int D>
+void Incompressible<D>::find_weights() {
+  const auto& lists = particles_.lists();
+  operator_->prepare(points_, lists);
+  weights_.find(*operator_, lists, particles_.fluids(), alone_);
+  for (std::size_t i = 0; i < alone_.size(); ++i)
+    if (alone_[i] != 0) at_surface_[i] = 1;
+  if (!pressure_operator_) return;
+  pressure_operator_->prepare(points_, lists);
+  pressure_weights_.resize(weights_.pairs());
+#pragma omp parallel for schedule(static) if (parallel_from <= particles_.fluids())
+  for (Index i = 0; i < particles_.fluids(); ++i)
+    pressure_operator_->laplacian_weights(
+        i, std::span(pressure_weights_).subspan(weights_.first(i), lists[i].size()));
+}
+
+template <int D>
+std::span<const double> Incompressible<D>::pressure_laplacian(Index i) const {
+  if (!pressure_operator_) return weights_.laplacian(i);
+  return std::span(pressure_weights_).subspan(weights_.first(i), particles_.lists()[i].size());
+}
+
+template <int D>
+double Incompressible<D>::highest_speed() const {
+  double most = 0;
+#pragma omp parallel for schedule(static) \
+    reduction(max                         \
+              : most) if (parallel_from <= particles_.count())
+  for (Index i = 0; i < particles_.count(); ++i)
+    most = std::max(most, particles_.velocity(i).squaredNorm());
+  return std::sqrt(most);
+}
+
+/// Gradients that are not 0 for a constant pressure push particles back to where they lie
+/// regularly, which swings with the speed sqrt(p/rho).
+template <int D>
+double Incompressible<D>::longest_step(double, double courant) {
+  const double dx = spacing(), speed = highest_speed(), pull = gravity().norm();
+  double step = std::numeric_limits<double>::infinity();
+  if (speed > 0) step = courant * dx / speed;
+  const double highest = std::ranges::max(cloud().values("pressure"));
+  if (options_.gradient != PressureGradient::plain && highest > 0)
+    step = std::min(step, courant * dx / std::sqrt(highest / options_.density));
+  if (pull > 0) step = std::min(step, courant * std::sqrt(dx / pull));
+  if (options_.kinematic_viscosity > 0)
+    step = std::min(step,
+                    0.125 * smoothing_length_ * smoothing_length_ / options_.kinematic_viscosity);
+  return step;
+}
+
+template <int D>
+void Incompressible<D>::inspect() const {
+  for (Index i = 0; i < particles_.fluids(); ++i)
+    if (!particles_.position(i).allFinite() || !particles_.velocity(i).allFinite())
+      throw NumericalFailure(
+          fmt::format("particle {} has a velocity that is not finite", particles_.id(i)), {i},
+          "the step is too long");
+}
+
+template class Incompressible<2>;
+template class Incompressible<3>;
+
+}  // namespace mote
