@@ -17,8 +17,8 @@ if(NOT MOTE_PORTABLE)
   add_compile_options(-march=native)
 endif()
 if(MOTE_SANITIZE)
-  # Checks of every access for null and alignment take longer to compile than all others together, and a
-  # null access traps anyway.
+  # Checks of every access for null, alignment and dynamic type take longer to compile than all others
+  # together, and a null access traps anyway.
   add_compile_options(-fsanitize=address,undefined -fno-sanitize=null,alignment,vptr
                       -fno-sanitize-recover=all -Og -g1)
   add_link_options(-fsanitize=address,undefined)
