@@ -137,6 +137,7 @@ class Incompressible final : public Model {
   SparseMatrix matrix_;
   std::vector<Index> slot_;       ///< where in its row the entry of a pair is
   std::int64_t pattern_of_ = -1;  ///< for which lists the pattern was made
+  std::int64_t solved_pattern_ = -1;  ///< that the preconditioner was made for
   std::vector<double> right_side_, pressure_;
 
   PairWork work_;

@@ -150,7 +150,10 @@ template <int D>
 void Incompressible<D>::solve() {
   const auto start = std::chrono::steady_clock::now();
   const double level = options_.mean_pressure.value_or(0);
-  course_.last = solver_->solve(matrix_, right_side_, pressure_);
+  const bool same_pattern = solved_pattern_ == pattern_of_;
+  solved_pattern_ = pattern_of_;
+  course_.last = solver_->solve(matrix_, right_side_, pressure_,
+                                same_pattern ? Preconditioning::kept : Preconditioning::fresh);
   course_.iterations += course_.last.iterations;
   for (Index i = 0; i < particles_.fluids(); ++i) {
     double& pressure = particles_.pressure(i);

@@ -18,6 +18,10 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// Iterations after which a kept preconditioner gives way to a fresh one: about what making one
+/// takes.
+constexpr Index worth_keeping = 30;
+
 /// The first few residuals and the last few.
 std::string ends_of(const std::vector<double>& history) {
   constexpr std::size_t few = 3;
@@ -54,51 +58,71 @@ std::string cause_of(const SolverOptions& options, const Convergence& convergenc
 
 }  // namespace
 
-void KrylovSolver::improve(const SparseMatrix& matrix, const VectorXd& right_side,
-                           VectorXd& solution, Convergence& convergence, SolveResult& result) {
-  const PreconditionedSystem system(matrix, *preconditioner_, options().singular);
-  VectorXd product, residual;
-  const auto true_residual = [&] {
-    system.multiply(solution, product);
-    residual = right_side - product;
-    return residual.norm();
-  };
-  convergence.record(true_residual());
-  if (convergence.met()) return;
-
+void KrylovSolver::prepare(const SparseMatrix& matrix, SolveResult& result) {
   const auto start = Clock::now();
   preconditioner_->prepare(matrix, options().singular);
-  result.setup_seconds = seconds_since(start);
-  const auto iterate = options().symmetric ? conjugate_gradients : bicgstab;
+  prepared_rows_ = matrix.rows();
+  result.setup_seconds += seconds_since(start);
+}
+
+VectorXd KrylovSolver::residual_of(const System& system) const {
+  VectorXd product;
+  preconditioned(system.matrix).multiply(system.solution, product);
+  return system.right_side - product;
+}
+
+/// Iterates from the true residual, again and again while that helps.
+void KrylovSolver::iterate(System& system, Convergence& convergence) {
+  const auto method = options().symmetric ? conjugate_gradients : bicgstab;
   double before;
   do {
     before = convergence.residual();
-    iterate(system, residual, solution, convergence);
-    convergence.correct(true_residual());
+    VectorXd residual = residual_of(system);
+    method(preconditioned(system.matrix), residual, system.solution, convergence);
+    convergence.correct(residual_of(system).norm());
   } while (convergence.may_go_on() && convergence.residual() < 0.5 * before);
 }
 
+void KrylovSolver::improve(System& system, Preconditioning preconditioning,
+                           Convergence& convergence, SolveResult& result) {
+  if (preconditioning == Preconditioning::fresh) prepared_rows_ = -1;
+  convergence.record(residual_of(system).norm());
+  if (convergence.met()) return;
+  if (prepared_rows_ == system.matrix.rows()) {
+    const VectorXd guess = system.solution;
+    Convergence trial = convergence;
+    trial.most_iterations = std::min(worth_keeping, convergence.most_iterations / 2);
+    iterate(system, trial);
+    convergence.history = trial.history;
+    if (convergence.met()) return;
+    system.solution = guess;
+    convergence.history.push_back(convergence.history.front());
+  }
+  prepare(system.matrix, result);
+  iterate(system, convergence);
+}
+
 SolveResult KrylovSolver::solve(const SparseMatrix& matrix, std::span<const double> right_side,
-                                std::span<double> solution, double tolerance) {
+                                std::span<double> solution, Preconditioning preconditioning) {
   const auto start = Clock::now();
-  require_tolerance(tolerance);
+  require_tolerance(options().tolerance);
   require_sizes(matrix, right_side, solution);
   require_finite(options().name, "right side", right_side);
   require_finite(options().name, "first guess", solution);
   require_positive_diagonal(options().name, matrix);
-  VectorXd b = VectorXd::Map(right_side.data(), matrix.rows());
-  VectorXd x = VectorXd::Map(solution.data(), matrix.rows());
-  const double whole_norm = b.norm();
+  System system{matrix, VectorXd::Map(right_side.data(), matrix.rows()),
+                VectorXd::Map(solution.data(), matrix.rows())};
+  const double whole_norm = system.right_side.norm();
   SolveResult result;
   if (options().singular) {
-    result.removed_mean = take_mean_from(b);
-    take_mean_from(x);
+    result.removed_mean = take_mean_from(system.right_side);
+    take_mean_from(system.solution);
   }
   // What rounding leaves of a constant is no right side.
-  if (const double norm = b.norm(); norm > least_tolerance * whole_norm) {
-    Convergence convergence{norm, tolerance, options().most_iterations};
-    improve(matrix, b, x, convergence, result);
-    VectorXd::Map(solution.data(), x.size()) = x;
+  if (const double norm = system.right_side.norm(); norm > least_tolerance * whole_norm) {
+    Convergence convergence{norm, options().tolerance, options().most_iterations};
+    improve(system, preconditioning, convergence, result);
+    VectorXd::Map(solution.data(), matrix.rows()) = system.solution;
     if (!convergence.met()) fail(options(), convergence);
     result.iterations = convergence.iterations();
     result.residual = convergence.residual();

@@ -14,15 +14,27 @@ class KrylovSolver final : public LinearSolver {
   KrylovSolver(SolverOptions options, std::unique_ptr<Preconditioner> preconditioner)
       : LinearSolver(std::move(options)), preconditioner_(std::move(preconditioner)) {}
 
-  using LinearSolver::solve;
   SolveResult solve(const SparseMatrix& matrix, std::span<const double> right_side,
-                    std::span<double> solution, double tolerance) override;
+                    std::span<double> solution, Preconditioning preconditioning) override;
 
  private:
-  void improve(const SparseMatrix& matrix, const Eigen::VectorXd& right_side,
-               Eigen::VectorXd& solution, Convergence& convergence, SolveResult& result);
+  /// What is to be solved, and the solution so far.
+  struct System {
+    const SparseMatrix& matrix;
+    Eigen::VectorXd right_side, solution;
+  };
+
+  void improve(System& system, Preconditioning preconditioning, Convergence& convergence,
+               SolveResult& result);
+  void prepare(const SparseMatrix& matrix, SolveResult& result);
+  PreconditionedSystem preconditioned(const SparseMatrix& matrix) const {
+    return {matrix, *preconditioner_, options().singular};
+  }
+  Eigen::VectorXd residual_of(const System& system) const;
+  void iterate(System& system, Convergence& convergence);
 
   std::unique_ptr<Preconditioner> preconditioner_;
+  Eigen::Index prepared_rows_ = -1;  ///< of the matrix that the preconditioner was made for
 };
 
 }  // namespace mote

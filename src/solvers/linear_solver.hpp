@@ -30,8 +30,13 @@ struct SolveResult {
   double solve_seconds = 0;
 };
 
+/// Where the preconditioner of a solution comes from: made for the matrix, or the one that is there
+/// already, made for an earlier matrix of the same size. That saves time and costs iterations, few
+/// if the matrices differ little.
+enum class Preconditioning { fresh, kept };
+
 /// Solves sparse linear systems A x = b. The result has the same bits for any number of threads,
-/// and does not depend on what was solved before.
+/// and depends on what was solved before only as far as the preconditioner is kept.
 ///
 /// Of a singular system the solution of zero mean is found, for the right side less its mean. (If A
 /// is not symmetric, less the constant that makes the system solvable, which is another one.)
@@ -41,18 +46,14 @@ class LinearSolver {
   virtual ~LinearSolver() = default;
 
   /// Solves for `solution`, which holds the first guess. `matrix` is square with ascending columns.
+  /// A preconditioner that was kept and does not do is made afresh.
   /// Throws InputError for a tolerance below `least_tolerance`, std::invalid_argument for sizes
   /// that do not fit, and NumericalFailure where the tolerance is not met or the system cannot be
   /// solved: numbers that are not finite, rows without a positive diagonal (their numbers are the
   /// failure's particles). Then `solution` holds what was reached.
   virtual SolveResult solve(const SparseMatrix& matrix, std::span<const double> right_side,
-                            std::span<double> solution, double tolerance) = 0;
-
-  /// The same, with the tolerance of the options.
-  SolveResult solve(const SparseMatrix& matrix, std::span<const double> right_side,
-                    std::span<double> solution) {
-    return solve(matrix, right_side, solution, options_.tolerance);
-  }
+                            std::span<double> solution,
+                            Preconditioning preconditioning = Preconditioning::fresh) = 0;
 
   const SolverOptions& options() const { return options_; }
 
