@@ -32,6 +32,7 @@ constexpr void for_each_family(FamilyList<Family...>, Visit&& visit) {
 
 /// The operator families of mote. A new one is its own file and a word in one of these lists.
 using KernelFamilies = KernelFamilyList<Sph, Morris, CorrectedSph, VortexBlob>;
-using PlainFamilies = FamilyList<Mps, CorrectedMps, MpsAsSph, Quadratic, Cubic, Quartic, FiniteDifference>;
+using PlainFamilies =
+    FamilyList<Mps, CorrectedMps, MpsAsSph, Quadratic, Cubic, Quartic, FiniteDifference>;
 
 }  // namespace mote

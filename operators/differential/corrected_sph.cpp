@@ -50,6 +50,16 @@ void CorrectedForm<D>::laplacian_weights(Index i, std::span<double> weights) con
 }
 
 template <int D>
+void CorrectedForm<D>::both_weights(Index i, std::span<Vec<D>> gradient,
+                                    std::span<double> laplacian) const {
+  const auto slopes = this->slopes_of(i);
+  for (std::size_t k = 0; k < slopes.size(); ++k) {
+    gradient[k] = corrections_[i].gradient * (slopes[k].weight * slopes[k].x);
+    laplacian[k] = second_weight(slopes[k], corrections_[i].laplacian);
+  }
+}
+
+template <int D>
 void CorrectedForm<D>::hessian_weights(Index i, std::span<Mat<D>> weights) const {
   const auto slopes = this->slopes_of(i);
   const auto components = hessian_of(moments_of(slopes));

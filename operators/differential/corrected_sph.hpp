@@ -24,6 +24,8 @@ class CorrectedForm : public DifferenceForm<D> {
   void prepare(const Points<D>& points, const NeighbourLists& lists) override;
   void gradient_weights(Index i, std::span<Vec<D>> weights) const override;
   void laplacian_weights(Index i, std::span<double> weights) const override;
+  void both_weights(Index i, std::span<Vec<D>> gradient,
+                    std::span<double> laplacian) const override;
   bool has_hessian() const override { return true; }
   void hessian_weights(Index i, std::span<Mat<D>> weights) const override;
 

@@ -52,6 +52,13 @@ class DifferentialOperator : public AnyOperator {
   /// l_ij of receiver i, one number for each of its neighbours in list order. [1/length^2]
   virtual void laplacian_weights(Index i, std::span<double> weights) const = 0;
 
+  /// Both at once, which is cheaper where they share most of the work.
+  virtual void both_weights(Index i, std::span<Vec<D>> gradient,
+                            std::span<double> laplacian) const {
+    gradient_weights(i, gradient);
+    laplacian_weights(i, laplacian);
+  }
+
   /// H_ij of receiver i, one symmetric matrix for each of its neighbours in list order; the trace
   /// of H_ij is l_ij. [1/length^2]
   virtual void hessian_weights(Index i, std::span<Mat<D>> weights) const {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,19 +57,10 @@ class Mps final : public DifferentialOperator<D> {
     lists_ = &lists;
     number_density_.resize(static_cast<std::size_t>(points.receivers));
     lambda_.resize(static_cast<std::size_t>(points.receivers));
-#pragma omp parallel for schedule(static) if (parallel_from <= points.receivers)
-    for (Index i = 0; i < points.receivers; ++i) {
-      double n = 0, moment = 0;
-      for (const Index j : lists[i]) {
-        const double w = weight(i, j);
-        n += w;
-        moment += w * squared_distance(i, j);
-      }
-      number_density_[i] = n;
-      lambda_[i] = moment / n;
-    }
-    refuse_bad_neighbourhoods();
-    if (constants == MpsConstants::lattice) take_lattice_constants();
+    if (constants == MpsConstants::local)
+      take_local_constants();
+    else
+      take_lattice_constants();
   }
 
   void gradient_weights(Index i, std::span<Vec<D>> weights) const override {
@@ -95,6 +88,19 @@ class Mps final : public DifferentialOperator<D> {
       weights[k] = 2 * D / (lambda_[i] * number_density_[i]) * weight(i, list[k]);
   }
 
+  void both_weights(Index i, std::span<Vec<D>> gradient,
+                    std::span<double> laplacian) const override {
+    const auto list = (*lists_)[i];
+    const double factor = D / number_density_[i],
+                 second = 2 * D / (lambda_[i] * number_density_[i]);
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const Vec<D> x = points_->at(list[k]) - points_->at(i);
+      const double w = weight(i, list[k]);
+      gradient[k] = factor * w / x.squaredNorm() * x;
+      laplacian[k] = second * w;
+    }
+  }
+
   /// lambda of a lattice, in squared spacings.
   double lattice_lambda() const {
     const double moment = lattice_sum<D>(smoothing_length, [this](double distance) {
@@ -104,13 +110,39 @@ class Mps final : public DifferentialOperator<D> {
   }
 
  private:
+  void take_local_constants() {
+#pragma omp parallel for schedule(static) if (parallel_from <= points_->receivers)
+    for (Index i = 0; i < points_->receivers; ++i) {
+      double n = 0, moment = 0;
+      for (const Index j : (*lists_)[i]) {
+        const double w = weight(i, j);
+        n += w;
+        moment += w * squared_distance(i, j);
+      }
+      number_density_[i] = n;
+      lambda_[i] = moment / n;
+    }
+    refuse_bad_neighbourhoods();
+  }
+
   /// n0 and lambda0 of a lattice with each receiver's spacing (Koshizuka & Oka 1996).
   void take_lattice_constants() {
     const double n0 = lattice_density(), lambda0 = lattice_lambda();
+#pragma omp parallel for schedule(static) if (parallel_from <= points_->receivers)
     for (Index i = 0; i < points_->receivers; ++i) {
-      number_density_[i] = n0;
+      number_density_[i] = weight_of_nearest(i);
       lambda_[i] = lambda0 * points_->length[i] * points_->length[i];
     }
+    refuse_bad_neighbourhoods();
+    std::ranges::fill(number_density_, n0);
+  }
+  double weight_of_nearest(Index i) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Index j : (*lists_)[i]) {
+      const double h = pair_length(length, points_->length[i], points_->length[j]);
+      nearest = std::min(nearest, squared_distance(i, j) / (h * h));
+    }
+    return Weight::value(std::sqrt(nearest) / smoothing_length);
   }
   double lattice_density() const {
     return lattice_sum<D>(smoothing_length, [this](double distance) {

@@ -135,8 +135,8 @@ class Incompressible final : public Model {
   std::vector<double> before_;  ///< divergence of the velocity before the kick
   std::unique_ptr<LinearSolver> solver_;
   SparseMatrix matrix_;
-  std::vector<Index> slot_;       ///< where in its row the entry of a pair is
-  std::int64_t pattern_of_ = -1;  ///< for which lists the pattern was made
+  std::vector<Index> slot_;           ///< where in its row the entry of a pair is
+  std::int64_t pattern_of_ = -1;      ///< for which lists the pattern was made
   std::int64_t solved_pattern_ = -1;  ///< that the preconditioner was made for
   std::vector<double> right_side_, pressure_;
 

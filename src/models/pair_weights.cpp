@@ -23,10 +23,7 @@ void PairWeights<D>::find(const DifferentialOperator<D>& op, const NeighbourList
     const auto laplacians = std::span(laplacian_).subspan(first(i), count);
     std::uint8_t& left_out = leave_out[static_cast<std::size_t>(i)];
     if (left_out == 0) {
-      failure.guard(i, [&] {
-        op.gradient_weights(i, gradients);
-        op.laplacian_weights(i, laplacians);
-      });
+      failure.guard(i, [&] { op.both_weights(i, gradients, laplacians); });
       const auto finite = [](const Vec<D>& weight) { return weight.allFinite(); };
       left_out = !std::ranges::all_of(gradients, finite);
     }

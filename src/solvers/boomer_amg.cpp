@@ -110,7 +110,7 @@ void choose_smoothers(HYPRE_Solver amg) {
 /// coarsest level, which would divide by zero otherwise. Relaxation there instead does not converge
 /// for every matrix that is not symmetric.
 SparseMatrix regular_strong_part(const SparseMatrix& matrix, bool singular) {
-  constexpr double weak = 0.05, little = 1e-6;
+  constexpr double weak = 0.1, little = 1e-6;
   SparseMatrix part = strong_part(matrix, weak);
   if (singular)
     for (Index i = 0; i < part.rows(); ++i) part.coeffRef(i, i) *= 1 + little;

@@ -24,7 +24,7 @@ class PreconditionedSystem {
       : matrix_(matrix), preconditioner_(preconditioner), singular_(singular) {}
 
   void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& product) const {
-    product.noalias() = matrix_ * x;
+    mote::multiply(matrix_, x, product);
     project(product);
   }
   void precondition(const Eigen::VectorXd& residual, Eigen::VectorXd& correction) const {

@@ -72,34 +72,35 @@ VectorXd KrylovSolver::residual_of(const System& system) const {
 }
 
 /// Iterates from the true residual, again and again while that helps.
-void KrylovSolver::iterate(System& system, Convergence& convergence) {
+void KrylovSolver::iterate(System& system, VectorXd residual, Convergence& convergence) {
   const auto method = options().symmetric ? conjugate_gradients : bicgstab;
   double before;
   do {
     before = convergence.residual();
-    VectorXd residual = residual_of(system);
     method(preconditioned(system.matrix), residual, system.solution, convergence);
-    convergence.correct(residual_of(system).norm());
+    residual = residual_of(system);
+    convergence.correct(residual.norm());
   } while (convergence.may_go_on() && convergence.residual() < 0.5 * before);
 }
 
 void KrylovSolver::improve(System& system, Preconditioning preconditioning,
                            Convergence& convergence, SolveResult& result) {
   if (preconditioning == Preconditioning::fresh) prepared_rows_ = -1;
-  convergence.record(residual_of(system).norm());
+  const VectorXd residual = residual_of(system);
+  convergence.record(residual.norm());
   if (convergence.met()) return;
   if (prepared_rows_ == system.matrix.rows()) {
     const VectorXd guess = system.solution;
     Convergence trial = convergence;
     trial.most_iterations = std::min(worth_keeping, convergence.most_iterations / 2);
-    iterate(system, trial);
+    iterate(system, residual, trial);
     convergence.history = trial.history;
     if (convergence.met()) return;
     system.solution = guess;
     convergence.history.push_back(convergence.history.front());
   }
   prepare(system.matrix, result);
-  iterate(system, convergence);
+  iterate(system, residual, convergence);
 }
 
 SolveResult KrylovSolver::solve(const SparseMatrix& matrix, std::span<const double> right_side,

@@ -31,7 +31,7 @@ class KrylovSolver final : public LinearSolver {
     return {matrix, *preconditioner_, options().singular};
   }
   Eigen::VectorXd residual_of(const System& system) const;
-  void iterate(System& system, Convergence& convergence);
+  void iterate(System& system, Eigen::VectorXd residual, Convergence& convergence);
 
   std::unique_ptr<Preconditioner> preconditioner_;
   Eigen::Index prepared_rows_ = -1;  ///< of the matrix that the preconditioner was made for

@@ -35,4 +35,7 @@ inline std::span<double> row_values(SparseMatrix& matrix, Index i) {
   return {matrix.valuePtr() + start[i], static_cast<std::size_t>(start[i + 1] - start[i])};
 }
 
+/// Writes matrix * x, of which every number has the same bits for any number of threads.
+void multiply(const SparseMatrix& matrix, const Eigen::VectorXd& x, Eigen::VectorXd& product);
+
 }  // namespace mote

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -35,22 +36,38 @@ void require_finite(const std::string& name, const char* what, std::span<const d
           {static_cast<Index>(i)}, "a breakdown before this system was set up");
 }
 
-void require_positive_diagonal(const std::string& name, const SparseMatrix& matrix) {
-  for (Index i = 0; i < matrix.rows(); ++i) {
-    const auto columns = row_columns(matrix, i);
-    const auto values = row_values(matrix, i);
-    double diagonal = 0, sum = 0;
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      sum += std::abs(values[k]);
-      if (columns[k] == i) diagonal = values[k];
-    }
-    if (diagonal > 0 && std::isfinite(sum)) continue;
-    throw NumericalFailure(
-        fmt::format("{} cannot be solved: the diagonal of row {} is {:g}, and its "
-                    "magnitudes add up to {:g}",
-                    name, i, diagonal, sum),
-        {i}, "an unknown without neighbours, or a breakdown before");
+namespace {
+
+struct RowSums {
+  double diagonal = 0, magnitudes = 0;
+  bool usable() const { return diagonal > 0 && std::isfinite(magnitudes); }
+};
+
+RowSums sums_of(const SparseMatrix& matrix, Index i) {
+  const auto columns = row_columns(matrix, i);
+  const auto values = row_values(matrix, i);
+  RowSums sums;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    sums.magnitudes += std::abs(values[k]);
+    if (columns[k] == i) sums.diagonal = values[k];
   }
+  return sums;
+}
+
+}  // namespace
+
+void require_positive_diagonal(const std::string& name, const SparseMatrix& matrix) {
+  const Index rows = static_cast<Index>(matrix.rows());
+  Index first = rows;
+#pragma omp parallel for schedule(static) reduction(min : first) if (parallel_from <= rows)
+  for (Index i = 0; i < rows; ++i)
+    if (!sums_of(matrix, i).usable()) first = std::min(first, i);
+  if (first == rows) return;
+  const RowSums sums = sums_of(matrix, first);
+  throw NumericalFailure(fmt::format("{} cannot be solved: the diagonal of row {} is {:g}, and its "
+                                     "magnitudes add up to {:g}",
+                                     name, first, sums.diagonal, sums.magnitudes),
+                         {first}, "an unknown without neighbours, or a breakdown before");
 }
 
 }  // namespace mote
