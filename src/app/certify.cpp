@@ -100,17 +100,18 @@ void add_checks(const Scenario::Checks& checks, const std::string& norm, Certifi
 
 Certificate certificate_without_results(const Simulation& simulation, const Moment& moment) {
   const Scenario& scenario = simulation.scenario();
-  Certificate certificate{.name = scenario.name,
-                          .version = std::string(version),
-                          .units = scenario.units,
-                          .differential_operator = scenario.differential_operator.name(),
-                          .integrator = scenario.time.integrator,
-                          .model = scenario.model_type,
-                          .against = scenario.check.against,
-                          .dimension = scenario.dimension,
-                          .particles = simulation.model().cloud().count(),
-                          .steps = moment.step,
-                          .time = moment.time};
+  Certificate certificate{
+      .name = scenario.name,
+      .version = std::string(version),
+      .units = scenario.units,
+      .differential_operator = scenario.differential_operator.name(),
+      .integrator = simulation.model().steps_itself() ? "of the model" : scenario.time.integrator,
+      .model = scenario.model_type,
+      .against = scenario.check.against,
+      .dimension = scenario.dimension,
+      .particles = simulation.model().cloud().count(),
+      .steps = moment.step,
+      .time = moment.time};
   if (!simulation.model().bodies().empty())
     certificate.bytes_per_particle = peak_bytes_per_particle(simulation.model());
   certificate.pair_work = simulation.model().pair_work();

@@ -43,6 +43,13 @@ void refuse_operators_that_do_not_fit(const Scenario& scenario) {
                                  name, scenario.model_type));
 }
 
+void refuse_integrator_of_own_steps(const Scenario& scenario, const Model& model) {
+  if (!model.steps_itself() || scenario.time.integrator == Scenario().time.integrator) return;
+  throw InputError(
+      "time.integrator",
+      fmt::format("the model {} makes its own steps, and no integrator", scenario.model_type));
+}
+
 }  // namespace
 
 Simulation::Simulation(const Document& document, Scenario scenario, const Catalogue& catalogue,
@@ -84,6 +91,7 @@ void Simulation::build(const Document& document, const Catalogue& catalogue) {
   } else {
     make_flow(catalogue);
   }
+  refuse_integrator_of_own_steps(scenario_, *model_);
   integrator_ = entry_named(catalogue.integrators, scenario_.time.integrator).make();
   conserved_at_start_ = model_->conserved();
   if (recipe.lives_on_a_line()) limit_step(document);

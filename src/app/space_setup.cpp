@@ -149,10 +149,9 @@ SpaceSetup space_setup(Scenario& scenario, const Catalogue& catalogue) {
   return setup;
 }
 
-/// Fields, rates, work arrays and neighbours.
 double memory_in_space(const Scenario& scenario) {
-  constexpr double bytes_a_particle = 600;
-  return bytes_a_particle * most_particles(space_plan(scenario));
+  return scenario.model->bytes_a_particle(scenario.dimension) *
+         most_particles(space_plan(scenario));
 }
 
 }  // namespace mote

@@ -69,15 +69,7 @@ const WallPlace& FlowParticles<D>::place_of(Index i) const {
 
 template <int D>
 void FlowParticles<D>::observe_walls(double time, double half) {
-  motions_.assign(start_.bodies.size(), {});
-  for (std::size_t k = 0; k < motions_.size(); ++k) {
-    const auto& velocity = start_.bodies[k].velocity;
-    if (!velocity) continue;
-    motions_[k].velocity = velocity(time);
-    const Triple before = velocity(time - half), after = velocity(time + half);
-    for (std::size_t d = 0; d < D; ++d)
-      motions_[k].acceleration[d] = (after[d] - before[d]) / (2 * half);
-  }
+  motions_ = motions_of(start_.bodies, time, half);
 }
 
 template <int D>
@@ -148,8 +140,7 @@ void FlowParticles<D>::restore(const Cloud& state) {
   for (const Field& field : cloud_.fields())
     if (!state.has(field.name) || state.count() > cloud_.count())
       throw InputError("this snapshot lacks particles or the field " + field.name);
-  removed_ = cloud_.count() - state.count();
-  first_removed_ = "before the run was resumed";
+  removed_.resume(cloud_.count() - state.count());
   cloud_ = state;
   name_fields();
   forget_neighbours();
@@ -160,42 +151,15 @@ template <int D>
 void FlowParticles<D>::remove_what_left(double time) {
   order_.clear();
   for (Index i = 0; i < count(); ++i) {
-    if (i >= fluids_ || side_left(i).empty())
+    const std::string_view side = i < fluids_ ? side_left<D>(position(i), start_, reach_) : "";
+    if (side.empty())
       order_.push_back(i);
-    else if (removed_++ == 0)
-      first_removed_ = describe_removed(i, time);
+    else
+      removed_.add(id(i), position(i), side, time);
   }
   if (static_cast<Index>(order_.size()) == count()) return;
   cloud_.rearrange(order_);
   name_fields();
-}
-
-/// The side of the domain that a particle is so far beyond; empty if it is not.
-template <int D>
-std::string_view FlowParticles<D>::side_left(Index i) const {
-  constexpr std::string_view lower[] = {"x_lower", "y_lower", "z_lower"};
-  constexpr std::string_view upper[] = {"x_upper", "y_upper", "z_upper"};
-  for (std::size_t d = 0; d < D; ++d) {
-    const double x = position_[static_cast<std::size_t>(i) * D + d];
-    if (x < start_.lower[d] - reach_) return lower[d];
-    if (x > start_.upper[d] + reach_) return upper[d];
-  }
-  return "";
-}
-
-template <int D>
-std::string FlowParticles<D>::describe_removed(Index i, double time) const {
-  std::string place;
-  for (int d = 0; d < D; ++d) place += fmt::format("{}{:.6g}", d > 0 ? ", " : "", position(i)[d]);
-  return fmt::format("particle {} at ({}) through {}, t = {:.6g}", id(i), place, side_left(i),
-                     time);
-}
-
-template <int D>
-std::vector<std::string> FlowParticles<D>::warnings() const {
-  if (removed_ == 0) return {};
-  return {fmt::format("{} particle{} left the domain and {} removed, first {}", removed_,
-                      removed_ == 1 ? "" : "s", removed_ == 1 ? "was" : "were", first_removed_)};
 }
 
 template class FlowParticles<2>;

@@ -8,15 +8,12 @@
 #include <vector>
 
 #include "mote/models/fluid_neighbours.hpp"
-#include "mote/models/model.hpp"
+#include "mote/models/removed_fluid.hpp"
+#include "mote/models/wall_motion.hpp"
 #include "mote/operators/terms/pair_lines.hpp"
+#include "mote/particles/cloud.hpp"
 
 namespace mote {
-
-/// How a body moves at a time.
-struct WallMotion {
-  Triple velocity{}, acceleration{};
-};
 
 /// The particles of a flow: first those of the fluid and then those of the walls, each in their
 /// order in space, with who is whose neighbour, periodic images included. Lists reach a skin
@@ -78,9 +75,8 @@ class FlowParticles {
   /// Takes the state of a snapshot. Throws InputError if it is not one of these particles.
   void restore(const Cloud& state);
 
-  Index removed() const { return removed_; }
+  const RemovedFluid<D>& removed() const { return removed_; }
   std::int64_t rebuilds() const { return rebuilds_; }
-  std::vector<std::string> warnings() const;
 
  private:
   static Eigen::Map<Vec<D>> at(std::span<double> values, Index i) {
@@ -90,8 +86,6 @@ class FlowParticles {
   void fill();
   void rebuild(double time, double travel);
   void remove_what_left(double time);
-  std::string_view side_left(Index i) const;
-  std::string describe_removed(Index i, double time) const;
 
   SpaceStart start_;
   std::optional<double> skin_option_;
@@ -103,9 +97,9 @@ class FlowParticles {
   std::vector<Line> lines_;
   std::vector<WallMotion> motions_;
   std::vector<Index> order_;
-  Index fluids_ = 0, fluids_at_start_ = 0, removed_ = 0;
+  RemovedFluid<D> removed_;
+  Index fluids_ = 0, fluids_at_start_ = 0;
   std::int64_t rebuilds_ = 0;
-  std::string first_removed_;
   bool lists_are_current_ = false;
 };
 

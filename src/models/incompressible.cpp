@@ -1,7 +1,6 @@
 #include "mote/models/incompressible.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <chrono>
@@ -37,13 +36,9 @@ Incompressible<D>::Incompressible(const IncompressibleOptions& options, SpaceSet
       operator_(as<DifferentialOperator<D>>(std::move(setup.differential_operator))),
       smoothing_length_(setup.smoothing_length * setup.spacing),
       volume_(std::pow(setup.spacing, D)),
-      mass_(options.density * volume_) {
+      mass_(options.density * volume_),
+      body_force_(options.body_force, particles_.start()) {
   refuse_what_does_not_go_together();
-  for (int thread = 0; thread < omp_get_max_threads(); ++thread) {
-    forces_.emplace_back();
-    for (const std::string& formula : options_.force)
-      forces_.back().push_back(particles_.start().compile(formula));
-  }
   if (options_.free_surface) particles_.cloud().add("surface", FieldKind::scalar, "");
   particles_.cloud().add("relative_density", FieldKind::scalar, "");
   choose_solver();
@@ -69,14 +64,6 @@ void Incompressible<D>::choose_solver() {
 
 template <int D>
 void Incompressible<D>::refuse_what_does_not_go_together() const {
-  if (!options_.gravity.empty() && options_.gravity.size() != D)
-    throw InputError("model.gravity",
-                     fmt::format("'gravity' needs {} numbers, one a dimension, and has {}", D,
-                                 options_.gravity.size()));
-  if (!options_.force.empty() && options_.force.size() != D)
-    throw InputError("model.force",
-                     fmt::format("'force' needs {} formulas, one a dimension, and has {}", D,
-                                 options_.force.size()));
   if (options_.tolerance < LinearSolver::least_tolerance)
     throw InputError("model.solver.tolerance",
                      fmt::format("rounding alone leaves residuals of {:.0e}, and 'tolerance' is "
@@ -89,23 +76,6 @@ void Incompressible<D>::refuse_what_does_not_go_together() const {
   if (options_.free_surface && options_.mean_pressure)
     throw InputError("model.mean_pressure",
                      "at a free surface the pressure is 0, so 'mean_pressure' cannot be given");
-}
-
-template <int D>
-Vec<D> Incompressible<D>::gravity() const {
-  if (options_.gravity.empty()) return Vec<D>::Zero();
-  return Vec<D>::Map(options_.gravity.data());
-}
-
-template <int D>
-Vec<D> Incompressible<D>::force_at(Index i, double time) const {
-  if (options_.force.empty()) return Vec<D>::Zero();
-  Triple place{};
-  std::copy_n(particles_.position(i).data(), D, place.begin());
-  const auto& formulas = forces_[static_cast<std::size_t>(omp_get_thread_num())];
-  Vec<D> force;
-  for (int d = 0; d < D; ++d) force[d] = formulas[static_cast<std::size_t>(d)](place, time);
-  return force;
 }
 
 template <int D>

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mote/models/body_force.hpp"
 #include "mote/models/flow_particles.hpp"
 #include "mote/models/incompressible_options.hpp"
 #include "mote/models/pair_weights.hpp"
@@ -43,6 +44,7 @@ class Incompressible final : public Model {
   void update_kick_rates(double) override {}
   bool compensates() const override { return false; }
 
+  bool steps_itself() const override { return true; }
   void end_step(double time, double step) override;
   void update_dependent_fields() override {}
   void complete_snapshot() override;
@@ -54,7 +56,7 @@ class Incompressible final : public Model {
 
   std::vector<Conserved> conserved() const override;
   std::vector<Reading> readings() const override;
-  std::vector<std::string> warnings() const override { return particles_.warnings(); }
+  std::vector<std::string> warnings() const override { return particles_.removed().warnings(); }
   PairWork pair_work() const override { return work_; }
   std::vector<std::string> remarks() const override;
   Parameters parameters() const override;
@@ -93,7 +95,6 @@ class Incompressible final : public Model {
   void extrapolate_to(Index i);
   Vec<D> laplacian_of_velocity(Index i) const;
   Vec<D> gradient_of_pressure(Index i) const;
-  Vec<D> force_at(Index i, double time) const;
 
   void project(double time, double step);
   void assemble(double step);
@@ -107,7 +108,7 @@ class Incompressible final : public Model {
   void find_densities_after(double step);
   template <class Term>
   double sum_over_fluid(Term term) const;
-  Vec<D> gravity() const;
+  const Vec<D>& gravity() const { return body_force_.gravity(); }
   double highest_speed() const;
   double volume_error() const;
   double divergence() const;
@@ -118,7 +119,7 @@ class Incompressible final : public Model {
   std::unique_ptr<DifferentialOperator<D>> operator_;
   std::unique_ptr<DifferentialOperator<D>> pressure_operator_;  ///< null: the same
   double smoothing_length_, volume_, mass_;
-  std::vector<std::vector<PlaceFunction>> forces_;  ///< for every thread, one a dimension
+  BodyForce<D> body_force_;
 
   Points<D> points_;  ///< as the operator sees the lines
   PairWeights<D> weights_;

@@ -77,9 +77,7 @@ void IncompressibleOptions::describe(Description& d) {
     d.number({"tolerance", "residual over right side at which it stops"}, tolerance, positive);
     d.count({"most_iterations", "after which it has failed"}, most_iterations, {1, 1e6});
   });
-  d.numbers({"gravity", "acceleration, one number a dimension; default: none"}, gravity);
-  d.expressions({"force", "acceleration in x, y, z and t, one formula a dimension; default: none"},
-                force);
+  body_force.describe(d);
 }
 
 std::vector<InitialField> IncompressibleRecipe::initial_fields(int dimension) const {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mote/models/body_force.hpp"
 #include "mote/models/model.hpp"
 
 namespace mote {
@@ -36,11 +37,10 @@ struct IncompressibleOptions {
   double collision_distance = 0, restitution = 0.2;
 
   std::string solver;
-  double tolerance = 1e-8;
+  double tolerance = 1e-6;
   std::int64_t most_iterations = 500;
 
-  std::vector<double> gravity;
-  std::vector<std::string> force;
+  BodyForceOptions body_force;
 
   IncompressibleOptions();
   void describe(Description& description);
@@ -59,6 +59,8 @@ class IncompressibleRecipe final : public ModelRecipe {
   void describe(Description& description) override { options.describe(description); }
   std::vector<InitialField> initial_fields(int dimension) const override;
   std::vector<std::string> conserved_names(int dimension) const override;
+  /// Mostly matrices, for the neighbours of usual operators.
+  double bytes_a_particle(int dimension) const override { return dimension == 2 ? 5e3 : 1.5e4; }
   using ModelRecipe::make;
   std::unique_ptr<Model> make(SpaceSetup setup) const override;
 };

@@ -42,7 +42,7 @@ std::vector<Reading> Incompressible<D>::readings() const {
       {"potential_energy",
        sum_over_fluid([&](Index i) { return -gravity().dot(particles_.position(i)); })},
       {"highest_speed", highest_speed()},
-      {"removed", static_cast<double>(particles_.removed())},
+      {"removed", static_cast<double>(particles_.removed().count())},
       {"volume_error", volume_error()},
       {"divergence", divergence()},
       {"iterations", static_cast<double>(course_.last.iterations)},
@@ -91,8 +91,7 @@ std::vector<std::string> Incompressible<D>::remarks() const {
               options_.solver, static_cast<double>(course_.iterations) / steps, options_.tolerance,
               course_.stepping > 0 ? 100 * course_.solving / course_.stepping : 0.0),
           fmt::format(
-              "Steps are the model's own, and no integrator's: drift, kick, drift. {} particles "
-              "have collided.",
+              "Steps are the model's own: drift, kick, drift. {} times a particle has collided.",
               course_.collisions)};
 }
 

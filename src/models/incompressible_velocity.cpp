@@ -31,14 +31,15 @@ void Incompressible<D>::predict(double time, double step) {
 #pragma omp parallel for schedule(static) if (parallel_from <= fluids)
     for (Index i = 0; i < fluids; ++i)
       velocity_[static_cast<std::size_t>(i)] =
-          particles_.velocity(i) + step / 2 *
-                                       (nu * laplacian_of_velocity(i) + force_at(i, middle) +
-                                        gravity() - gradient_of_pressure(i) / options_.density);
+          particles_.velocity(i) +
+          step / 2 *
+              (nu * laplacian_of_velocity(i) + body_force_.at(particles_.position(i), middle) +
+               gravity() - gradient_of_pressure(i) / options_.density);
     show(velocity_);
   }
 #pragma omp parallel for schedule(static) if (parallel_from <= fluids)
   for (Index i = 0; i < fluids; ++i) {
-    Vec<D> rate = force_at(i, middle);
+    Vec<D> rate = body_force_.at(particles_.position(i), middle);
     if (nu > 0) rate += nu * laplacian_of_velocity(i);
     velocity_[static_cast<std::size_t>(i)] = particles_.velocity(i) + step * rate;
   }
@@ -85,18 +86,11 @@ void Incompressible<D>::extrapolate_to(Index i) {
                            Vec<D>::Map(motion.velocity.data())};
   const FluidSeen<D> seen =
       terms_->seen(particles_.lines(), i, particles_.lists()[i], smoothing_length_, mass_, surface);
-  Vec<D> ghost = surface.velocity - surface.depth * seen.shear;
-  double pressure = 0;
-  if (seen.weight > 0) {
-    pressure =
-        seen.pressure + (gravity() - Vec<D>::Map(motion.acceleration.data())).dot(seen.offset);
-    if (particles_.body_of(i).slips) {
-      const Vec<D>& n = surface.normal;
-      ghost = seen.velocity + (ghost - seen.velocity).dot(n) * n;
-    }
-  }
-  Vec<D>::Map(line.value.data() + Line::velocity) = ghost;
-  line.value[Line::pressure] = pressure;
+  const Vec<D> pull = gravity() - Vec<D>::Map(motion.acceleration.data());
+  const ContinuedFluid<D> ghost =
+      continue_into_wall(seen, surface, particles_.body_of(i).slips, pull, 0.0);
+  Vec<D>::Map(line.value.data() + Line::velocity) = ghost.velocity;
+  line.value[Line::pressure] = ghost.pressure;
 }
 
 template <int D>

@@ -66,6 +66,9 @@ class Model : public System {
   virtual void begin_step(double /*time*/, double /*step*/) {}
   virtual void end_step(double /*time*/, double /*step*/) {}
 
+  /// Whether `end_step` is all of a step, and leaves nothing to an integrator.
+  virtual bool steps_itself() const { return false; }
+
   /// Brings fields that follow from the others up to date, after a step or a restart.
   virtual void update_dependent_fields() = 0;
 
@@ -151,6 +154,8 @@ class ModelRecipe {
   virtual std::vector<InitialField> initial_fields(int dimension) const = 0;
   /// The names of what `Model::conserved` will report.
   virtual std::vector<std::string> conserved_names(int dimension) const = 0;
+  /// Memory of a particle with all that belongs to it, about, in space.
+  virtual double bytes_a_particle(int /*dimension*/) const { return 600; }
   /// The model on a line, or in space. Throws InputError for options that do not go together with
   /// the set-up, std::logic_error where the model does not live.
   virtual std::unique_ptr<Model> make(LineSetup setup) const;

@@ -1,7 +1,6 @@
 #include "mote/models/weakly_compressible.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,29 +37,17 @@ WeaklyCompressible<D>::WeaklyCompressible(const WeaklyCompressibleOptions& optio
       reach_(std::max(terms_->support() * smoothing_length_,
                       operator_->neighbour_rule().reach() * start_.spacing)),
       mass_(options.density * std::pow(start_.spacing, D)),
+      body_force_(options.body_force, start_),
       cloud_(D, static_cast<Index>(start_.body.size())),
       neighbours_(start_, start_.search, reach_) {
   refuse_what_does_not_go_together();
   choose_coefficients();
-  for (int thread = 0; thread < omp_get_max_threads(); ++thread) {
-    forces_.emplace_back();
-    for (const std::string& formula : options_.force)
-      forces_.back().push_back(start_.compile(formula));
-  }
   fill_cloud();
   name_parts();
 }
 
 template <int D>
 void WeaklyCompressible<D>::refuse_what_does_not_go_together() const {
-  if (!options_.gravity.empty() && options_.gravity.size() != D)
-    throw InputError("model.gravity",
-                     fmt::format("'gravity' needs {} numbers, one a dimension, and has {}", D,
-                                 options_.gravity.size()));
-  if (!options_.force.empty() && options_.force.size() != D)
-    throw InputError("model.force",
-                     fmt::format("'force' needs {} formulas, one a dimension, and has {}", D,
-                                 options_.force.size()));
   const bool has_viscosity =
       options_.viscosity == Viscosity::morris || options_.viscosity == Viscosity::by_operator;
   if (has_viscosity && options_.kinematic_viscosity == 0)
@@ -90,12 +77,6 @@ void WeaklyCompressible<D>::choose_coefficients() {
     coefficients_.artificial_viscosity = options_.alpha * h * c * state_.density;
   if (options_.viscosity == Viscosity::morris)
     coefficients_.viscosity = state_.density * options_.kinematic_viscosity;
-}
-
-template <int D>
-Vec<D> WeaklyCompressible<D>::gravity() const {
-  if (options_.gravity.empty()) return Vec<D>::Zero();
-  return Vec<D>::Map(options_.gravity.data());
 }
 
 template <int D>
@@ -186,8 +167,7 @@ void WeaklyCompressible<D>::restore(const Cloud& state) {
   for (const Field& field : cloud_.fields())
     if (!state.has(field.name) || state.count() > cloud_.count())
       throw InputError("this snapshot lacks particles or the field " + field.name);
-  course_.removed = cloud_.count() - state.count();
-  course_.first_removed = "before the run was resumed";
+  removed_.resume(cloud_.count() - state.count());
   cloud_ = state;
   name_parts();
   start_afresh();

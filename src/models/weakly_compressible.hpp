@@ -5,8 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "mote/models/body_force.hpp"
 #include "mote/models/equation_of_state.hpp"
 #include "mote/models/fluid_neighbours.hpp"
+#include "mote/models/removed_fluid.hpp"
+#include "mote/models/wall_motion.hpp"
 #include "mote/models/weakly_compressible_options.hpp"
 #include "mote/operators/terms/fluid_terms.hpp"
 
@@ -83,9 +86,7 @@ class WeaklyCompressible final : public Model {
   void assign_roles();
   void rearrange(std::span<const Index> order);
   void remove_what_left(double time);
-  bool has_left(Index i) const;
   std::string_view side_left(Index i) const;
-  std::string describe_removed(Index i, double time) const;
   bool is_wall(Index i) const { return idle_[static_cast<std::size_t>(i)] != 0; }
   const Body& body_of(Index i) const;
   const WallPlace& place_of(Index i) const;
@@ -94,7 +95,6 @@ class WeaklyCompressible final : public Model {
   void observe_walls(double time);
   void write_wall_lines();
   void extrapolate_to(Index i);
-  Vec<D> force_at(Index i, double time) const;
   void write_image_lines();
   void sum_densities();
   bool uses_operator() const;
@@ -113,7 +113,7 @@ class WeaklyCompressible final : public Model {
   void continue_slopes_into_walls();
   void move_walls(double time);
   void shift_particles(double time, double step);
-  Vec<D> gravity() const;
+  const Vec<D>& gravity() const { return body_force_.gravity(); }
 
   struct Energy {
     double kinetic = 0, potential = 0, compression = 0;
@@ -123,10 +123,6 @@ class WeaklyCompressible final : public Model {
   template <class Term>
   double sum_over_fluid(Term term) const;
 
-  /// How a body moves now.
-  struct WallMotion {
-    Triple velocity{}, acceleration{};
-  };
   const WallMotion& motion_of(Index i) const {
     return motions_[static_cast<std::size_t>(body_[i])];
   }
@@ -138,7 +134,7 @@ class WeaklyCompressible final : public Model {
   std::unique_ptr<DifferentialOperator<D>> operator_;
   double smoothing_length_, reach_, mass_;
   FluidCoefficients<D> coefficients_;
-  std::vector<std::vector<PlaceFunction>> forces_;  ///< for every thread, one a dimension
+  BodyForce<D> body_force_;
 
   Cloud cloud_;
   std::span<double> position_, velocity_, density_, pressure_, body_, id_, surface_;
@@ -166,12 +162,11 @@ class WeaklyCompressible final : public Model {
   double highest_speed_ = 0, highest_acceleration_ = 0, furthest_shift_ = 0;
   double dissipation_ = 0;
   PairWork work_;
+  RemovedFluid<D> removed_;
 
   /// What the run came to, for the report.
   struct Course {
     double fastest = 0, fastest_at = 0;
-    Index removed = 0;
-    std::string first_removed;
     double dissipated = 0;
     std::int64_t rebuilds = 0, steps = 0;
   } course_;

@@ -72,15 +72,7 @@ void WeaklyCompressible<D>::sum_densities() {
 template <int D>
 void WeaklyCompressible<D>::observe_walls(double time) {
   const double half = 1e-4 * smoothing_length_ / state_.sound_speed;
-  motions_.assign(start_.bodies.size(), {});
-  for (std::size_t k = 0; k < motions_.size(); ++k) {
-    const auto& velocity = start_.bodies[k].velocity;
-    if (!velocity) continue;
-    motions_[k].velocity = velocity(time);
-    const Triple before = velocity(time - half), after = velocity(time + half);
-    for (std::size_t d = 0; d < D; ++d)
-      motions_[k].acceleration[d] = (after[d] - before[d]) / (2 * half);
-  }
+  motions_ = motions_of(start_.bodies, time, half);
 }
 
 template <int D>
@@ -100,26 +92,18 @@ void WeaklyCompressible<D>::extrapolate_to(Index i) {
     line.value[Line::pressure] = options_.background_pressure;
     return;
   }
-  const Body& body = body_of(i);
   const WallPlace& place = place_of(i);
   const WallMotion& motion = motion_of(i);
   const Surface<D> surface{place.depth, 0.5 * start_.spacing, Vec<D>::Map(place.normal.data()),
                            Vec<D>::Map(motion.velocity.data())};
   const FluidSeen<D> seen =
       terms_->seen(lines_, i, neighbours_.lists()[i], smoothing_length_, mass_, surface);
-  Vec<D> ghost = surface.velocity - surface.depth * seen.shear;
-  double pressure = options_.background_pressure;
-  if (seen.weight > 0) {
-    pressure =
-        seen.pressure + (gravity() - Vec<D>::Map(motion.acceleration.data())).dot(seen.offset);
-    if (body.slips) {
-      const Vec<D>& n = surface.normal;
-      ghost = seen.velocity + (ghost - seen.velocity).dot(n) * n;
-    }
-  }
-  Vec<D>::Map(line.value.data() + Line::velocity) = ghost;
-  line.value[Line::pressure] = pressure;
-  line.value[Line::volume] = mass_ / state_.density_at(pressure);
+  const Vec<D> pull = gravity() - Vec<D>::Map(motion.acceleration.data());
+  const ContinuedFluid<D> ghost =
+      continue_into_wall(seen, surface, body_of(i).slips, pull, options_.background_pressure);
+  Vec<D>::Map(line.value.data() + Line::velocity) = ghost.velocity;
+  line.value[Line::pressure] = ghost.pressure;
+  line.value[Line::volume] = mass_ / state_.density_at(ghost.pressure);
 }
 
 /// Gives walls that travel the velocity they are to have now.
@@ -138,8 +122,7 @@ void WeaklyCompressible<D>::move_walls(double time) {
 /// fastest and the most accelerated particle.
 template <int D>
 void WeaklyCompressible<D>::finish_rates(double time, double ahead) {
-  const Vec<D> gravity = this->gravity();
-  const bool forced = !options_.force.empty();
+  const bool forced = body_force_.has_formulas();
   const bool extrapolated = options_.walls == WallForm::extrapolated;
   const Index count = cloud_.count();
   double speed = 0, most = 0;
@@ -154,8 +137,9 @@ void WeaklyCompressible<D>::finish_rates(double time, double ahead) {
       if (body_of(i).travels) acceleration = Vec<D>::Map(motion_of(i).acceleration.data());
       if (extrapolated) rate = 0;
     } else {
-      acceleration = Vec<D>::Map(sums_[k].value.data()) + gravity;
-      if (forced) acceleration += force_at(i, time);
+      acceleration = Vec<D>::Map(sums_[k].value.data()) + gravity();
+      if (forced)
+        acceleration += body_force_.at(Vec<D>::Map(position_.data() + std::ptrdiff_t{i} * D), time);
     }
     sums_[k] = {};
     most = std::max(most, acceleration.squaredNorm());
@@ -166,17 +150,6 @@ void WeaklyCompressible<D>::finish_rates(double time, double ahead) {
   if (highest_speed_ <= course_.fastest) return;
   course_.fastest = highest_speed_;
   course_.fastest_at = time;
-}
-
-template <int D>
-Vec<D> WeaklyCompressible<D>::force_at(Index i, double time) const {
-  Triple place{};
-  std::copy_n(position_.begin() + std::ptrdiff_t{i} * D, D, place.begin());
-  const auto& formulas = forces_[static_cast<std::size_t>(omp_get_thread_num())];
-  Vec<D> force;
-  for (std::size_t d = 0; d < D; ++d)
-    force[static_cast<Eigen::Index>(d)] = formulas[d](place, time);
-  return force;
 }
 
 template class WeaklyCompressible<2>;

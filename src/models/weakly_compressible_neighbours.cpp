@@ -96,46 +96,24 @@ void WeaklyCompressible<D>::remove_what_left(double time) {
   const Index count = cloud_.count();
   Index left = 0;
 #pragma omp parallel for schedule(static) reduction(+ : left) if (parallel_from <= count)
-  for (Index i = 0; i < count; ++i) left += has_left(i);
+  for (Index i = 0; i < count; ++i) left += !side_left(i).empty();
   if (left == 0) return;
   order_.clear();
   for (Index i = 0; i < count; ++i) {
-    if (!has_left(i)) {
+    const std::string_view side = side_left(i);
+    if (side.empty())
       order_.push_back(i);
-      continue;
-    }
-    if (course_.removed++ == 0) course_.first_removed = describe_removed(i, time);
+    else
+      removed_.add(id_[i], Vec<D>::Map(position_.data() + std::ptrdiff_t{i} * D), side, time);
   }
   rearrange(order_);
 }
 
-/// Whether a particle of the fluid is further outside the domain than a wall is thick.
-template <int D>
-bool WeaklyCompressible<D>::has_left(Index i) const {
-  return !is_wall(i) && !side_left(i).empty();
-}
-
-/// The side of the domain that a particle is so far beyond; empty if it is not.
+/// The side of the domain that a particle of the fluid is so far beyond; empty if it is not.
 template <int D>
 std::string_view WeaklyCompressible<D>::side_left(Index i) const {
-  constexpr std::string_view lower[] = {"x_lower", "y_lower", "z_lower"};
-  constexpr std::string_view upper[] = {"x_upper", "y_upper", "z_upper"};
-  for (std::size_t d = 0; d < D; ++d) {
-    const double x = position_[static_cast<std::size_t>(i) * D + d];
-    if (x < start_.lower[d] - reach_) return lower[d];
-    if (x > start_.upper[d] + reach_) return upper[d];
-  }
-  return "";
-}
-
-template <int D>
-std::string WeaklyCompressible<D>::describe_removed(Index i, double time) const {
-  std::string place;
-  for (std::size_t d = 0; d < D; ++d)
-    place +=
-        fmt::format("{}{:.6g}", d > 0 ? ", " : "", position_[static_cast<std::size_t>(i) * D + d]);
-  return fmt::format("particle {} at ({}) through {}, t = {:.6g}", id_[i], place, side_left(i),
-                     time);
+  if (is_wall(i)) return "";
+  return mote::side_left<D>(Vec<D>::Map(position_.data() + std::ptrdiff_t{i} * D), start_, reach_);
 }
 
 template class WeaklyCompressible<2>;

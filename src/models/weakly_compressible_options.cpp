@@ -67,9 +67,7 @@ void WeaklyCompressibleOptions::describe(Description& d) {
             [&] { describe_diffusion(d, *this); });
   d.number({"shifting", "strength of particle shifting; 0: none"}, shifting, not_negative);
   d.flag({"free_surface", "whether there may be one, which shifting then spares"}, free_surface);
-  d.numbers({"gravity", "acceleration, one number a dimension; default: none"}, gravity);
-  d.expressions({"force", "acceleration in x, y, z and t, one formula a dimension; default: none"},
-                force);
+  body_force.describe(d);
   describe_words(d, {"walls", "what wall particles are"}, walls, wall_forms);
 }
 

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mote/models/body_force.hpp"
 #include "mote/models/model.hpp"
 
 namespace mote {
@@ -36,8 +37,7 @@ struct WeaklyCompressibleOptions {
   double shifting = 0;  ///< strength; 0: none
   bool free_surface = true;
 
-  std::vector<double> gravity;
-  std::vector<std::string> force;
+  BodyForceOptions body_force;
   WallForm walls = WallForm::extrapolated;
 
   void describe(Description& description);

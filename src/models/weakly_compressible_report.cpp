@@ -12,19 +12,19 @@ namespace mote {
 template <int D>
 template <class Term>
 double WeaklyCompressible<D>::sum_over_fluid(Term term) const {
-  return mass_ * fixed_sum(cloud_.count(), 0.0, [&](Index i) { return is_wall(i) ? 0.0 : term(i); });
+  return mass_ *
+         fixed_sum(cloud_.count(), 0.0, [&](Index i) { return is_wall(i) ? 0.0 : term(i); });
 }
 
 template <int D>
 typename WeaklyCompressible<D>::Energy WeaklyCompressible<D>::energy() const {
-  const Vec<D> gravity = this->gravity();
   const auto vector = [](std::span<const double> values, Index i) {
     return Vec<D>::Map(values.data() + std::ptrdiff_t{i} * D);
   };
   Energy energy;
   energy.kinetic =
       sum_over_fluid([&](Index i) { return 0.5 * vector(velocity_, i).squaredNorm(); });
-  energy.potential = sum_over_fluid([&](Index i) { return -gravity.dot(vector(position_, i)); });
+  energy.potential = sum_over_fluid([&](Index i) { return -gravity().dot(vector(position_, i)); });
   energy.compression = sum_over_fluid([&](Index i) { return state_.energy(density_[i]); });
   return energy;
 }
@@ -75,10 +75,7 @@ std::vector<std::string> WeaklyCompressible<D>::warnings() const {
         "the sound speed {:.4g} is less than ten times the highest speed, {:.4g} at t = {:.4g}: "
         "the fluid is compressed by more than 1 %",
         state_.sound_speed, course_.fastest, course_.fastest_at));
-  if (course_.removed > 0)
-    warnings.push_back(fmt::format("{} particle{} left the domain and {} removed, first {}",
-                                   course_.removed, course_.removed == 1 ? "" : "s",
-                                   course_.removed == 1 ? "was" : "were", course_.first_removed));
+  std::ranges::copy(removed_.warnings(), std::back_inserter(warnings));
   return warnings;
 }
 

@@ -53,8 +53,8 @@ void add_cost(Out out, const Certificate& c) {
   if (c.bytes_per_particle > 0)
     fmt::format_to(out, "At most {:.0f} bytes of memory a particle.\n", c.bytes_per_particle);
   if (c.pair_work.evaluations > 0)
-    fmt::format_to(out, "Neighbour lists were built {} times, {:.1f} neighbours a particle.\n",
-                   c.pair_work.evaluations, c.pair_work.mean_neighbours);
+    fmt::format_to(out, "{:.1f} neighbours a particle, gone through {} times.\n",
+                   c.pair_work.mean_neighbours, c.pair_work.evaluations);
 }
 
 }  // namespace

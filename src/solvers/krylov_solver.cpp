@@ -85,7 +85,8 @@ void KrylovSolver::iterate(System& system, VectorXd residual, Convergence& conve
 
 void KrylovSolver::improve(System& system, Preconditioning preconditioning,
                            Convergence& convergence, SolveResult& result) {
-  if (preconditioning == Preconditioning::fresh) prepared_rows_ = -1;
+  if (preconditioning == Preconditioning::fresh || !preconditioner_->is_worth_keeping())
+    prepared_rows_ = -1;
   const VectorXd residual = residual_of(system);
   convergence.record(residual.norm());
   if (convergence.met()) return;

@@ -16,6 +16,9 @@ class Preconditioner {
   /// `singular`.
   virtual void prepare(const SparseMatrix& matrix, bool singular) = 0;
 
+  /// Whether preparing costs more than a few iterations.
+  virtual bool is_worth_keeping() const { return true; }
+
   /// Writes about inverse(matrix) * residual.
   virtual void apply(const Eigen::VectorXd& residual, Eigen::VectorXd& correction) = 0;
 };
@@ -31,6 +34,8 @@ class DiagonalPreconditioner final : public Preconditioner {
   void prepare(const SparseMatrix& matrix, bool) override {
     inverse_diagonal_ = matrix.diagonal().cwiseInverse();
   }
+
+  bool is_worth_keeping() const override { return false; }
 
   void apply(const Eigen::VectorXd& residual, Eigen::VectorXd& correction) override {
     correction = inverse_diagonal_.cwiseProduct(residual);
