@@ -62,7 +62,16 @@ std::unique_ptr<Incompressible<D>> make_incompressible(const IncompressibleCase&
 template <int D>
 void take_steps(Incompressible<D>& flow, int steps, double step, double start = 0) {
   flow.start_afresh();
-  for (int k = 0; k < steps; ++k) flow.end_step(start + k * step, step);
+  for (int k = 0; k < steps; ++k) {
+    flow.end_step(start + k * step, step);
+    flow.inspect();
+  }
+}
+
+/// The highest speed in the fluid.
+template <int D>
+double speed_of(const Incompressible<D>& flow) {
+  return most_in_fluid(flow, [&](Index i) { return vector_of(flow, "velocity", i).norm(); });
 }
 
 }  // namespace mote::test
