@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <numeric>
 #include <utility>
 
 #include "mote/integrators/velocity_verlet.hpp"

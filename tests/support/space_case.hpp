@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -130,6 +132,22 @@ inline double told(const Model& flow, const std::string& name) {
   for (const Reading& reading : flow.readings())
     if (reading.name == name) return reading.value;
   throw std::logic_error("no quantity " + name);
+}
+
+/// All fields of the cloud, particle by particle in the order of ids.
+inline std::vector<double> state_by_id(Model& flow) {
+  flow.complete_snapshot();
+  const auto id = flow.cloud().values("id");
+  std::vector<std::size_t> order(id.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::sort(order, {}, [&](std::size_t k) { return id[k]; });
+  std::vector<double> state;
+  for (const std::size_t k : order)
+    for (const Field& field : flow.cloud().fields())
+      for (int d = 0; d < field.components; ++d)
+        state.push_back(field.values[k * static_cast<std::size_t>(field.components) +
+                                     static_cast<std::size_t>(d)]);
+  return state;
 }
 
 }  // namespace mote::test
