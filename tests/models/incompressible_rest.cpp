@@ -86,6 +86,16 @@ TEST(WaterAtRest, HasThePressureOfItsDepth) {
   EXPECT_LT(error, 1e-12 * density * gravity * depth);
 }
 
+TEST(WaterAtRest, StaysSoInThreeDimensions) {
+  auto given = incompressible_box<3>(0.1, {0.8, 0.8, 0.5}, {true, true, false});
+  given.options.gravity = {0, 0, -gravity};
+  given.options.tolerance = 1e-12;
+  given.options.source = PressureSource::divergence;
+  const auto flow = make_incompressible<3>(with_wall(given, 2, false));
+  take_steps(*flow, 10, step);
+  EXPECT_LT(speed_of(*flow), 1e-12 * std::sqrt(gravity * depth));
+}
+
 /// Below the surface the kernel sees less than a lattice, which `mixed` fills up a little.
 TEST(WaterAtRest, IsHardlyMovedByTheMixedSource) {
   auto flow = open_tank();

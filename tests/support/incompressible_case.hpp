@@ -68,10 +68,4 @@ void take_steps(Incompressible<D>& flow, int steps, double step, double start = 
   }
 }
 
-/// The highest speed in the fluid.
-template <int D>
-double speed_of(const Incompressible<D>& flow) {
-  return most_in_fluid(flow, [&](Index i) { return vector_of(flow, "velocity", i).norm(); });
-}
-
 }  // namespace mote::test

@@ -125,6 +125,12 @@ double most_in_fluid(const Model& flow, Of of) {
   return most;
 }
 
+/// The highest speed in the fluid.
+template <template <int> class Flow, int D>
+double speed_of(const Flow<D>& flow) {
+  return most_in_fluid(flow, [&](Index i) { return vector_of(flow, "velocity", i).norm(); });
+}
+
 /// A conserved quantity or a reading, by name.
 inline double told(const Model& flow, const std::string& name) {
   for (const Conserved& quantity : flow.conserved())
@@ -132,6 +138,17 @@ inline double told(const Model& flow, const std::string& name) {
   for (const Reading& reading : flow.readings())
     if (reading.name == name) return reading.value;
   throw std::logic_error("no quantity " + name);
+}
+
+/// Largest drift of a component of the momentum between two states, relative to the sum of m |u| in
+/// the first one.
+inline double drift_between(const std::vector<Conserved>& start,
+                            const std::vector<Conserved>& end) {
+  double most = 0;
+  for (std::size_t k = 0; k < start.size(); ++k)
+    if (start[k].name.starts_with("momentum"))
+      most = std::max(most, std::abs(end[k].value - start[k].value) / start[k].scale);
+  return most;
 }
 
 /// All fields of the cloud, particle by particle in the order of ids.
