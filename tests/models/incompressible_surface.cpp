@@ -34,21 +34,21 @@ std::vector<int> layers_at_surface(const IncompressibleCase& given) {
   return layers;
 }
 
-struct FreeSurface : testing::TestWithParam<SurfaceTest> {};
+struct IncompressibleSurface : testing::TestWithParam<SurfaceTest> {};
 
-TEST_P(FreeSurface, IsTheTopLayerOfABoxThatIsHalfFilled) {
+TEST_P(IncompressibleSurface, IsTheTopLayerOfABoxThatIsHalfFilled) {
   EXPECT_EQ(layers_at_surface(half_filled(GetParam())), std::vector<int>(12, 5));
 }
 
 /// The negative control: a layer more, and it is found higher.
-TEST_P(FreeSurface, IsHigherInABoxThatIsFuller) {
+TEST_P(IncompressibleSurface, IsHigherInABoxThatIsFuller) {
   auto flow = fluid_in_a_box<IncompressibleCase>(2, spacing, {1.2, 0.7});
   auto half = half_filled(GetParam());
   half.plan.regions = flow.plan.regions;
   EXPECT_EQ(layers_at_surface(half), std::vector<int>(12, 6));
 }
 
-TEST_P(FreeSurface, IsNowhereInAPeriodicBox) {
+TEST_P(IncompressibleSurface, IsNowhereInAPeriodicBox) {
   auto flow = half_filled(GetParam());
   flow.plan.walls.clear();
   flow.plan.upper[1] = 0.8;
@@ -61,7 +61,7 @@ const std::map<SurfaceTest, std::string> names{
     {SurfaceTest::number_density, "number_density"},
     {SurfaceTest::cone, "cone"},
     {SurfaceTest::missing_neighbours, "missing_neighbours"}};
-INSTANTIATE_TEST_SUITE_P(, FreeSurface,
+INSTANTIATE_TEST_SUITE_P(, IncompressibleSurface,
                          testing::Values(SurfaceTest::number_density, SurfaceTest::cone,
                                          SurfaceTest::missing_neighbours),
                          [](const auto& test) { return names.at(test.param); });
