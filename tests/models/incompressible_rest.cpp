@@ -76,14 +76,27 @@ TEST(WaterAtRest, StaysSoByMpsOnALatticeBetweenWalls) {
   }
 }
 
-TEST(WaterAtRest, HasThePressureOfItsDepth) {
-  const auto flow = make_incompressible<2>(open_tank());
+/// How far the pressure after one step is from that of the depth, in that of the bed.
+double error_of_pressure(const IncompressibleCase& given) {
+  const auto flow = make_incompressible<2>(given);
   take_steps(*flow, 1, step);
   const double error = most_in_fluid(*flow, [&](Index i) {
     const double below = depth - vector_of(*flow, "position", i)[1];
     return std::abs(flow->cloud().values("pressure")[i] - density * gravity * below);
   });
-  EXPECT_LT(error, 1e-12 * density * gravity * depth);
+  return error / (density * gravity * depth);
+}
+
+TEST(WaterAtRest, HasThePressureOfItsDepth) { EXPECT_LT(error_of_pressure(open_tank()), 1e-12); }
+
+/// Mps errs where the lattice ends: by a fifth of a spacing where missing neighbours stand in for
+/// the surface, and by more where the particles there are given their pressure.
+TEST(WaterAtRest, HasNearlyThePressureOfItsDepthByMps) {
+  auto flow = open_tank();
+  with_operator(flow, symmetric_mps<2>());
+  EXPECT_GT(error_of_pressure(flow), 0.2 * spacing / depth);  // the negative control
+  flow.options.surface_test = SurfaceTest::missing_neighbours;
+  EXPECT_LT(error_of_pressure(flow), 0.2 * spacing / depth);
 }
 
 TEST(WaterAtRest, StaysSoInThreeDimensions) {
