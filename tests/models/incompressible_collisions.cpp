@@ -77,10 +77,12 @@ TEST(Collision, IsNotWithoutADistance) {
   EXPECT_EQ(right, -0.5);
 }
 
-/// Velocity of a particle that falls on the wall, or from a little above it upwards.
-Vec<2> after_fall(double velocity, double distance) {
+/// Velocity of a particle that falls on the wall, or from a little above it upwards, where the wall
+/// comes towards it at some speed.
+Vec<2> after_fall(double velocity, double distance, double speed_of_wall = 0) {
   auto given = block();
   given.options.collision_distance = distance;
+  given.plan.walls[0].body.velocity = [=](double) { return Triple{0, speed_of_wall}; };
   add_particle(given, "drop", 3, 0);
   given.velocity = [=](const Place& at) { return at[0] < 2 ? Triple{} : Triple{0.2, velocity}; };
   const auto flow = make_incompressible<2>(given);
@@ -95,6 +97,13 @@ TEST(Collision, WithAWallTurnsTheVelocityAcrossIt) {
   EXPECT_NEAR(found[0], 0.2, 1e-15);
   EXPECT_NEAR(found[1], restitution, 1e-15);
 }
+
+TEST(Collision, WithAWallThatComesIsByTheSpeedOfTheApproach) {
+  EXPECT_NEAR(after_fall(-1, 0.8, 0.5)[1], 0.5 + restitution * 1.5, 1e-15);
+}
+
+/// A drop that is not yet within half of the distance falls on.
+TEST(Collision, WithAWallIsAtHalfTheDistance) { EXPECT_EQ(after_fall(-0.4, 0.8)[1], -0.4); }
 
 /// Negative controls: a drop that rises, and one that nothing holds.
 TEST(Collision, WithAWallIsNotOfADropThatRises) {
