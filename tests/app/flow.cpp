@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "flow_runs.hpp"
 #include "support/csv_rows.hpp"
-#include "support/program.hpp"
 
 namespace mote::test {
 namespace {
@@ -38,50 +38,13 @@ time: {end: 0.02}
 output: {every: 0.005, picture: false}
 )";
 
-/// Files that hold all that a run came to.
-const std::vector<std::string> results{"snapshots/000000.hdf", "snapshots/000001.hdf",
-                                       "snapshots/000002.hdf", "snapshots/000003.hdf",
-                                       "snapshots/000004.hdf", "history.csv"};
-
-class Flow : public testing::Test {
+class Flow : public FlowRuns {
  protected:
-  fs::path run(const std::string& scenario, const std::string& out,
-               const std::vector<std::string>& more = {}) const {
-    write(folder_ / "scenario.yaml", scenario);
-    std::vector<std::string> words{"run", (folder_ / "scenario.yaml").string(), "--out",
-                                   (folder_ / out).string(), "--quiet"};
-    words.insert(words.end(), more.begin(), more.end());
-    const Outcome outcome = mote(words);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
-    return folder_ / out;
-  }
-
-  /// The same run, cut after its second snapshot and resumed.
-  fs::path resumed(const fs::path& whole, const std::string& out,
-                   const std::string& threads) const {
-    fs::copy(whole, folder_ / out, fs::copy_options::recursive);
-    for (const char* name : {"summary.json", "snapshots/000003.hdf", "snapshots/000004.hdf"})
-      fs::remove(folder_ / out / name);
-    const Outcome outcome =
-        mote({"resume", (folder_ / out).string(), "--threads", threads, "--quiet"});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
-    return folder_ / out;
-  }
-
-  static void expect_same(const fs::path& a, const fs::path& b) {
-    for (const std::string& name : results) {
-      ASSERT_TRUE(fs::exists(a / name) && fs::exists(b / name)) << name;
-      EXPECT_TRUE(read(a / name) == read(b / name)) << name;
-    }
-  }
-
   std::vector<std::vector<double>> exported(const fs::path& out) const {
     const std::string csv = (folder_ / "frame.csv").string();
     EXPECT_EQ(mote({"export", out.string(), "--to", csv, "--overwrite"}).exit_code, 0);
     return rows_of(read(csv));
   }
-
-  TemporaryFolder folder_;
 };
 
 TEST_F(Flow, HasTheSameBitsForAnyNumberOfThreads) {
@@ -100,7 +63,7 @@ TEST_F(Flow, HasTheSameBitsAfterAResume) {
 TEST_F(Flow, HasOtherBitsWithAnotherCourantNumber) {
   const fs::path whole = run(tank, "whole");
   const fs::path other = run(tank, "other", {"--set", "time.courant=0.2"});
-  EXPECT_FALSE(read(whole / results[4]) == read(other / results[4]));
+  EXPECT_FALSE(read(whole / frames[4]) == read(other / frames[4]));
 }
 
 TEST_F(Flow, HitsEveryFrameWithStepsOfItsOwn) {

@@ -37,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(Table, SpaceOnALine, testing::ValuesIn(keys_of_space), 
 
 /// A good flow with some lines, counted from 1, replaced.
 std::string flow(const std::map<int, std::string>& edits) {
-  const std::vector<std::string> good{
+  static constexpr std::string_view good[] = {
       /* 1 */ "name: flow",
       /* 2 */ "dimension: 2",
       /* 3 */ "domain: {lower: [0, 0], upper: [2, 1], periodic: [x], walls: [{side: y_lower}]}",
@@ -46,10 +46,7 @@ std::string flow(const std::map<int, std::string>& edits) {
       /* 6 */ "model: {type: weakly_compressible, sound_speed: 10}",
       /* 7 */ "operator: {family: sph, kernel: wendland_c2, smoothing_length: 1.5}",
       /* 8 */ "time: {end: 1}"};
-  std::string text;
-  for (int number = 1; number <= static_cast<int>(good.size()); ++number)
-    text += (edits.contains(number) ? edits.at(number) : good[number - 1]) + '\n';
-  return text;
+  return with_edits(good, edits);
 }
 
 std::string flow_line(int number, const std::string& text) { return flow({{number, text}}); }

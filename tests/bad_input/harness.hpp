@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <ostream>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,15 +35,21 @@ inline constexpr std::array<std::string_view, 15> good_lines{
     /* 14 */ "  against: gravitating_sheets",
     /* 15 */ "  position: 0.01"};
 
-/// The good scenario with some lines, counted from 1, replaced.
-inline std::string lines(const std::map<int, std::string>& edits) {
+/// These lines with some of them, counted from 1, replaced.
+inline std::string with_edits(std::span<const std::string_view> good,
+                              const std::map<int, std::string>& edits) {
   std::string text;
-  for (int number = 1; number <= static_cast<int>(good_lines.size()); ++number) {
+  for (int number = 1; number <= static_cast<int>(good.size()); ++number) {
     const auto edit = edits.find(number);
-    text += edit != edits.end() ? edit->second : std::string(good_lines[number - 1]);
+    text += edit != edits.end() ? edit->second : std::string(good[number - 1]);
     text += '\n';
   }
   return text;
+}
+
+/// The good scenario with some lines replaced.
+inline std::string lines(const std::map<int, std::string>& edits) {
+  return with_edits(good_lines, edits);
 }
 
 inline std::string line(int number, const std::string& text) { return lines({{number, text}}); }

@@ -66,22 +66,6 @@ const std::vector<Way> ways{
        use_pairs_alone(flow);
      }}};
 
-/// All fields of the cloud, particle by particle in the order of ids.
-std::vector<double> state_by_id(WeaklyCompressible<2>& flow) {
-  flow.complete_fields();
-  const auto id = flow.cloud().values("id");
-  std::vector<std::size_t> order(id.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::sort(order, {}, [&](std::size_t k) { return id[k]; });
-  std::vector<double> state;
-  for (const std::size_t k : order)
-    for (const Field& field : flow.cloud().fields())
-      for (int d = 0; d < field.components; ++d)
-        state.push_back(field.values[k * static_cast<std::size_t>(field.components) +
-                                     static_cast<std::size_t>(d)]);
-  return state;
-}
-
 constexpr double step = 1e-4;
 
 std::vector<double> state_after(const FlowCase& given, int threads, int steps) {

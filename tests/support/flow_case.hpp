@@ -1,101 +1,31 @@
 #pragma once
 
-#include <cmath>
-#include <functional>
 #include <memory>
-#include <numeric>
-#include <optional>
-#include <stdexcept>
-#include <string>
 #include <utility>
-#include <vector>
 
-#include "mote/geometry/box.hpp"
-#include "mote/geometry/filling.hpp"
 #include "mote/integrators/velocity_verlet.hpp"
 #include "mote/models/weakly_compressible.hpp"
 #include "mote/operators/differential/corrected_sph.hpp"
-#include "mote/operators/kernels/wendland_c2.hpp"
-#include "mote/operators/terms/fluid_terms_on.hpp"
+#include "support/space_case.hpp"
 
 namespace mote::test {
 
-using Place = Triple;
-
-/// A flow as a scenario would give it: a box of fluid, sides that are walls or periodic, and fields
-/// at the start as functions of the place.
-struct FlowCase {
-  SpacePlan plan;
-  double smoothing_length = 1.5;  ///< in spacings; the kernel reaches twice as far
+/// A weakly compressible fluid.
+struct FlowCase : SpaceCase {
   WeaklyCompressibleOptions options{.sound_speed = 10};
-  std::function<double(const Place&)> pressure = [](const Place&) { return 0.0; };
-  std::function<Triple(const Place&)> velocity = [](const Place&) { return Triple{}; };
-  std::string search = "";
-  std::optional<double> skin = std::nullopt;
 };
 
-/// Fluid from `lower` to `upper`, which is the domain as well.
 inline FlowCase flow_in_a_box(int dimension, double spacing, const Triple& upper,
                               const std::array<bool, 3>& periodic = {}) {
-  FlowCase flow;
-  flow.plan.dimension = dimension;
-  flow.plan.spacing = spacing;
-  flow.plan.reach = 2 * flow.smoothing_length;
-  flow.plan.upper = upper;
-  flow.plan.periodic = periodic;
-  Extent extent;
-  std::copy_n(upper.begin(), dimension, extent.upper.begin());
-  std::copy_n(flow.plan.lower.begin(), dimension, extent.lower.begin());
-  flow.plan.regions.push_back(
-      {.body = {.name = "fluid"}, .whole = std::make_shared<Box>(extent), .key = "domain"});
-  return flow;
-}
-
-inline FlowCase& with_wall(FlowCase& flow, int axis, bool upper, Body body = {}) {
-  body.kind = BodyKind::wall;
-  flow.plan.walls.push_back({body, {axis, upper}});
-  return flow;
-}
-
-/// Walls on all sides that are not periodic.
-inline FlowCase& with_walls(FlowCase& flow, const Body& body = {}) {
-  for (int axis = 0; axis < flow.plan.dimension; ++axis)
-    for (const bool upper : {false, true})
-      if (!flow.plan.periodic[static_cast<std::size_t>(axis)]) with_wall(flow, axis, upper, body);
-  return flow;
-}
-
-/// Fluid particles up to `most` spacings away from their places on the lattice, along each axis.
-inline FlowCase& in_disorder(FlowCase& flow, double most = 0.2, std::uint64_t seed = 5) {
-  flow.plan.jitter = most;
-  flow.plan.seed = seed;
-  return flow;
+  return fluid_in_a_box<FlowCase>(dimension, spacing, upper, periodic);
 }
 
 template <int D>
 std::unique_ptr<WeaklyCompressible<D>> make_flow(const FlowCase& flow) {
-  Filling filling = filled(flow.plan);
-  SpaceSetup setup;
-  setup.dimension = flow.plan.dimension;
-  setup.lower = flow.plan.lower;
-  setup.upper = flow.plan.upper;
-  setup.periodic = flow.plan.periodic;
-  setup.spacing = flow.plan.spacing;
-  setup.bodies = std::move(filling.bodies);
-  setup.position = std::move(filling.position);
-  setup.body = std::move(filling.body);
-  setup.wall_places = std::move(filling.wall_places);
-  setup.initial = [flow](std::string_view field, const Triple& place) {
-    if (field == "pressure") return flow.pressure(place);
-    return flow.velocity(place)[static_cast<std::size_t>(field.back() - 'x')];
-  };
+  SpaceSetup setup = setup_of<D>(flow);
   auto made = std::make_unique<CorrectedSph<D, WendlandC2<D>>>();
   made->smoothing_length = flow.smoothing_length;
   setup.differential_operator = std::move(made);
-  setup.terms = std::make_unique<FluidTermsOn<D, WendlandC2<D>>>();
-  setup.smoothing_length = flow.smoothing_length;
-  setup.search = flow.search;
-  setup.skin = flow.skin;
   return std::make_unique<WeaklyCompressible<D>>(flow.options, std::move(setup));
 }
 
@@ -124,48 +54,10 @@ void update_rates(WeaklyCompressible<D>& flow, double time = 0) {
   flow.update_kick_rates(time);
 }
 
-template <int D>
-Vec<D> vector_of(const WeaklyCompressible<D>& flow, std::string_view field, Index i) {
-  return Vec<D>::Map(flow.cloud().values(field).data() + std::ptrdiff_t{i} * D);
-}
-
 /// Acceleration of particle i, by the last rates.
 template <int D>
 Vec<D> acceleration_of(WeaklyCompressible<D>& flow, Index i) {
   return Vec<D>::Map(flow.kicked()[0].rate.data() + std::ptrdiff_t{i} * D);
-}
-
-template <int D>
-bool is_fluid(const WeaklyCompressible<D>& flow, Index i) {
-  return flow.bodies()[static_cast<std::size_t>(flow.cloud().values("body")[i])].kind ==
-         BodyKind::fluid;
-}
-
-/// The fluid's particles, by their numbers in the cloud.
-template <int D>
-std::vector<Index> fluid_of(const WeaklyCompressible<D>& flow) {
-  std::vector<Index> fluid;
-  for (Index i = 0; i < flow.cloud().count(); ++i)
-    if (is_fluid(flow, i)) fluid.push_back(i);
-  return fluid;
-}
-
-/// Largest of what `of(i)` gives for the fluid's particles.
-template <int D, class Of>
-double most_in_fluid(const WeaklyCompressible<D>& flow, Of of) {
-  double most = 0;
-  for (const Index i : fluid_of(flow)) most = std::max(most, of(i));
-  return most;
-}
-
-/// A conserved quantity or a reading, by name.
-template <int D>
-double told(const WeaklyCompressible<D>& flow, const std::string& name) {
-  for (const Conserved& quantity : flow.conserved())
-    if (quantity.name == name) return quantity.value;
-  for (const Reading& reading : flow.readings())
-    if (reading.name == name) return reading.value;
-  throw std::logic_error("no quantity " + name);
 }
 
 }  // namespace mote::test
