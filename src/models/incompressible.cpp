@@ -73,6 +73,10 @@ void Incompressible<D>::refuse_what_does_not_go_together() const {
     throw InputError("model.free_surface",
                      "without a free surface nothing fixes the level of the pressure: "
                      "'mean_pressure' is needed");
+  if (!options_.free_surface && !options_.tension)
+    throw InputError("model.tension",
+                     "without a free surface the fluid cannot part, and 'tension: false' would "
+                     "only change the mean of its pressure");
   if (options_.free_surface && options_.mean_pressure)
     throw InputError("model.mean_pressure",
                      "at a free surface the pressure is 0, so 'mean_pressure' cannot be given");
@@ -96,13 +100,23 @@ void Incompressible<D>::end_step(double time, double step) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Neighbours, densities, the surface and all weights at the places where particles are now.
+/// Neighbours, densities and the surface, at the places where particles are now.
 template <int D>
-void Incompressible<D>::take_positions(double time, double travel) {
+void Incompressible<D>::find_surroundings(double time, double travel) {
   particles_.update_neighbours(time, travel);
   for (Line& line : particles_.lines()) line.value[Line::volume] = volume_;
   particles_.copy_to_images();
   find_surface();
+}
+
+/// All that a step needs to know of the places where particles are now.
+template <int D>
+void Incompressible<D>::take_positions(double time, double travel) {
+  find_surroundings(time, travel);
+  if (options_.free_surface && std::ranges::count(at_surface_, 1) == 0)
+    throw NumericalFailure("no particle is at a free surface any more", {},
+                           "the fluid has filled all of its space, and nothing fixes the level of "
+                           "the pressure");
   fill_points();
   find_weights();
   if (pattern_of_ != particles_.rebuilds()) make_pattern();
@@ -165,8 +179,8 @@ double Incompressible<D>::highest_speed() const {
 /// Gradients that are not 0 for a constant pressure push particles back to where they lie
 /// regularly, which swings with the speed sqrt(p/rho).
 template <int D>
-double Incompressible<D>::longest_step(double, double courant) {
-  const double dx = spacing(), speed = highest_speed(), pull = gravity().norm();
+double Incompressible<D>::longest_step(double time, double courant) {
+  const double dx = spacing(), speed = highest_speed(), pull = strongest_pull(time);
   double step = std::numeric_limits<double>::infinity();
   if (speed > 0) step = courant * dx / speed;
   const double highest = std::ranges::max(cloud().values("pressure"));
@@ -177,6 +191,19 @@ double Incompressible<D>::longest_step(double, double courant) {
     step = std::min(step,
                     0.125 * smoothing_length_ * smoothing_length_ / options_.kinematic_viscosity);
   return step;
+}
+
+/// Of gravity and force.
+template <int D>
+double Incompressible<D>::strongest_pull(double time) const {
+  if (!body_force_.has_formulas()) return gravity().norm();
+  double most = 0;
+#pragma omp parallel for schedule(static) \
+    reduction(max                         \
+              : most) if (parallel_from <= particles_.fluids())
+  for (Index i = 0; i < particles_.fluids(); ++i)
+    most = std::max(most, (gravity() + body_force_.at(particles_.position(i), time)).norm());
+  return most;
 }
 
 template <int D>

@@ -70,8 +70,11 @@ class Incompressible final : public Model {
 
   void refuse_what_does_not_go_together() const;
   void find_full_neighbourhood();
+  double lattice_kernel_density() const;
+  void refuse_broken_arrangement();
   void find_full_laplacian();
   void choose_solver();
+  void find_surroundings(double time, double travel);
   void take_positions(double time, double travel);
   void fill_points();
   void find_weights();
@@ -98,6 +101,7 @@ class Incompressible final : public Model {
 
   void project(double time, double step);
   void assemble(double step);
+  void refuse_bad_diagonals() const;
   double source_at(Index i, double step) const;
   void solve();
   void collide();
@@ -110,6 +114,7 @@ class Incompressible final : public Model {
   double sum_over_fluid(Term term) const;
   const Vec<D>& gravity() const { return body_force_.gravity(); }
   double highest_speed() const;
+  double strongest_pull(double time) const;
   double volume_error() const;
   double divergence() const;
 
@@ -132,8 +137,9 @@ class Incompressible final : public Model {
   std::vector<double> surface_pressure_;  ///< at the particles of the surface
   std::vector<double> trust_;             ///< in the pressure's gradient: 1, or less at the surface
 
-  Vectors velocity_;            ///< v, while a step is under way
-  std::vector<double> before_;  ///< divergence of the velocity before the kick
+  Vectors velocity_;                 ///< v, while a step is under way
+  std::vector<std::uint8_t> moves_;  ///< whether shifting moves a particle
+  std::vector<double> before_;       ///< divergence of the velocity before the kick
   std::unique_ptr<LinearSolver> solver_;
   SparseMatrix matrix_;
   std::vector<Index> slot_;           ///< where in its row the entry of a pair is

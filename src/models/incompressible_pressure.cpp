@@ -1,9 +1,12 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <numeric>
 
 #include "mote/models/incompressible.hpp"
+#include "mote/particles/failure.hpp"
 
 namespace mote {
 
@@ -49,6 +52,7 @@ void Incompressible<D>::project(double time, double step) {
   if (options_.source == PressureSource::density) find_densities_after(step);
   show(velocity_);
   assemble(step);
+  refuse_bad_diagonals();
   solve();
   show_pressure();
   const Index fluids = particles_.fluids();
@@ -144,6 +148,26 @@ void Incompressible<D>::assemble(double step) {
           2 * std::max(0.0, full_laplacian_ - std::reduce(weights.begin(), weights.end()));
     right_side_[at] = right;
   }
+}
+
+/// A diagonal that is not positive would be the solver's to refuse, which knows no particles.
+template <int D>
+void Incompressible<D>::refuse_bad_diagonals() const {
+  const Index fluids = particles_.fluids();
+  Index first = fluids;
+#pragma omp parallel for schedule(static) reduction(min : first) if (parallel_from <= fluids)
+  for (Index i = 0; i < fluids; ++i) {
+    const auto columns = row_columns(matrix_, i);
+    const auto own = std::ranges::lower_bound(columns, i) - columns.begin();
+    if (!(row_values(matrix_, i)[static_cast<std::size_t>(own)] > 0)) first = std::min(first, i);
+  }
+  if (first == fluids) return;
+  throw NumericalFailure(
+      fmt::format("the Laplacian of particle {} has weights whose sum is not positive",
+                  particles_.id(first)),
+      {first},
+      "its neighbours lie too unevenly for this operator, as at a surface in motion; 'laplacian: "
+      "mps', or the operator mps with 'constants: lattice', has positive weights everywhere");
 }
 
 template <int D>

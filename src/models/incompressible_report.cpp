@@ -72,11 +72,12 @@ double Incompressible<D>::divergence() const {
   const Index fluids = std::min(particles_.fluids(), static_cast<Index>(before_.size()));
   const double speed = highest_speed();
   if (fluids == 0 || speed == 0) return 0;
+  const auto inside = [&](Index i) { return at_surface_[static_cast<std::size_t>(i)] == 0; };
+  const double count = fixed_sum(fluids, 0.0, [&](Index i) { return inside(i) ? 1.0 : 0.0; });
   const double sum = fixed_sum(fluids, 0.0, [&](Index i) {
-    const auto k = static_cast<std::size_t>(i);
-    return at_surface_[k] != 0 ? 0 : before_[k] * before_[k];
+    return inside(i) ? std::pow(before_[static_cast<std::size_t>(i)], 2) : 0;
   });
-  return std::sqrt(sum / fluids) * spacing() / speed;
+  return std::sqrt(sum / std::max(1.0, count)) * spacing() / speed;
 }
 
 template <int D>

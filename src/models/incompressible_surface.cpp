@@ -27,30 +27,64 @@ double counting_weight(double distance) { return Reciprocal::value(distance / co
 template <int D>
 void Incompressible<D>::find_full_neighbourhood() {
   full_number_density_ = lattice_sum<D>(counted_within, counting_weight);
+  full_kernel_density_ = lattice_kernel_density();
   find_full_laplacian();
-  take_positions(0, 0);
+  refuse_broken_arrangement();
+  particles_.forget_neighbours();
+}
+
+/// The kernel's sum over a lattice with this spacing, around one of its points.
+template <int D>
+double Incompressible<D>::lattice_kernel_density() const {
+  const int layers = static_cast<int>(particles_.reach() / spacing()) + 1, side = 2 * layers + 1;
+  std::vector<Line> lattice(static_cast<std::size_t>(std::pow(side, D) + 0.5));
+  std::vector<Index> others;
+  Index centre = 0;
+  for (Index k = 0; k < static_cast<Index>(lattice.size()); ++k) {
+    Line& line = lattice[static_cast<std::size_t>(k)];
+    Vec<D> place;
+    for (Index d = 0, rest = k; d < D; ++d, rest /= side) place[d] = rest % side - layers;
+    Vec<D>::Map(line.value.data() + Line::position) = spacing() * place;
+    line.value[Line::volume] = volume_;
+    if (place.isZero(0))
+      centre = k;
+    else
+      others.push_back(k);
+  }
+  return terms_->density(lattice, centre, others, smoothing_length_, mass_);
+}
+
+/// What the fluid is like at the start: the lattice's n0 and lambda0 must be its own, and the level
+/// of the pressure fixed by its surface, or else it must have none.
+template <int D>
+void Incompressible<D>::refuse_broken_arrangement() {
+  constexpr double broken = 0.2, one_sided = 0.75;
+  find_surroundings(0, 0);
   double sum = 0, whole = 0;
   for (Index i = 0; i < particles_.fluids(); ++i) {
-    if (number_density(i) < options_.surface_threshold * full_number_density_) continue;
-    sum += kernel_density(i);
+    const double n = number_density(i) / full_number_density_;
+    if (!options_.free_surface && n < one_sided)
+      throw InputError("model.free_surface",
+                       fmt::format("particle {} has {:.2g} of the neighbours that it has inside a "
+                                   "fluid: is it at a free surface?",
+                                   particles_.id(i), n));
+    if (n < options_.surface_threshold) continue;
+    sum += density_[static_cast<std::size_t>(i)];
     ++whole;
   }
-  const double mean = whole > 0 ? sum / whole / options_.density : 0;
-  if (!(std::abs(mean - 1) < 0.05))
+  if (whole == 0)
     throw InputError("particles",
-                     fmt::format("n0 is to come from particles well inside the fluid at the start, "
-                                 "but {}",
-                                 whole > 0 ? fmt::format("their density is {:.3g} times that of a "
-                                                         "lattice",
-                                                         mean)
-                                           : "there are none: all have too few neighbours"));
-  full_kernel_density_ = mean * options_.density;
-  const bool surface = std::ranges::count(at_surface_, 1) > 0;
-  if (options_.free_surface && !surface)
+                     "no particle is well inside the fluid: all have too few "
+                     "neighbours for n0 to be their number density");
+  if (std::abs(sum / whole - 1) > broken)
+    throw InputError("particles",
+                     fmt::format("n0 is that of a lattice, and the particles well inside the fluid "
+                                 "lie {:.3g} times as densely",
+                                 sum / whole));
+  if (options_.free_surface && std::ranges::count(at_surface_, 1) == 0)
     throw InputError("model.free_surface",
                      "no particle is at a free surface, and nothing else fixes the level of the "
                      "pressure: 'free_surface: false' and 'mean_pressure' are needed");
-  particles_.forget_neighbours();
 }
 
 /// The sum of l_ij of mps on a lattice, 2 D/lambda0.
@@ -104,11 +138,10 @@ void Incompressible<D>::find_surface() {
   density_.assign(at_surface_.size(), 1);
   trust_.assign(at_surface_.size(), 1);
   surface_pressure_.assign(at_surface_.size(), 0);
-  const double full = full_kernel_density_ > 0 ? full_kernel_density_ : options_.density;
 #pragma omp parallel for schedule(static) if (parallel_from <= fluids)
   for (Index i = 0; i < fluids; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    density_[k] = kernel_density(i) / full;
+    density_[k] = kernel_density(i) / full_kernel_density_;
     if (!options_.free_surface) continue;
     const double n = number_density(i) / full_number_density_;
     const bool cone = options_.surface_test == SurfaceTest::cone;
@@ -177,7 +210,8 @@ void Incompressible<D>::shift_particles(double time, double step) {
     velocity_[static_cast<std::size_t>(i)] = particles_.velocity(i);
   show(velocity_);
   Vectors& gains = velocity_;
-  std::vector<std::uint8_t> moves(gains.size(), 0);
+  std::vector<std::uint8_t>& moves = moves_;
+  moves.assign(gains.size(), 0);
 #pragma omp parallel for schedule(dynamic, 256) if (parallel_from <= fluids)
   for (Index i = 0; i < fluids; ++i) {
     const auto k = static_cast<std::size_t>(i);

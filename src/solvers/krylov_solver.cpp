@@ -49,10 +49,10 @@ std::string cause_of(const SolverOptions& options, const Convergence& convergenc
 [[noreturn]] void fail(const SolverOptions& options, const Convergence& convergence) {
   throw NumericalFailure(
       fmt::format(
-          "{} was not solved: {} iterations took the relative residual to {:.2g}, and {:.2g} "
+          "{} was not solved: {} iteration{} took the relative residual to {:.2g}, and {:.2g} "
           "was asked for (it went {})",
-          options.name, convergence.iterations(), convergence.residual(), convergence.tolerance,
-          ends_of(convergence.history)),
+          options.name, convergence.iterations(), convergence.iterations() == 1 ? "" : "s",
+          convergence.residual(), convergence.tolerance, ends_of(convergence.history)),
       {}, cause_of(options, convergence));
 }
 
