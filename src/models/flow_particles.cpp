@@ -69,7 +69,7 @@ const WallPlace& FlowParticles<D>::place_of(Index i) const {
 
 template <int D>
 void FlowParticles<D>::observe_walls(double time, double half) {
-  motions_ = motions_of(start_.bodies, time, half);
+  observe(start_.bodies, time, half, motions_);
 }
 
 template <int D>

@@ -58,7 +58,9 @@ double Incompressible<D>::lattice_kernel_density() const {
 /// of the pressure fixed by its surface, or else it must have none.
 template <int D>
 void Incompressible<D>::refuse_broken_arrangement() {
-  constexpr double broken = 0.2, one_sided = 0.75;
+  // A lattice with a plane surface has 0.68 there, in space 0.73, and disorder seldom less than
+  // 0.75.
+  constexpr double broken = 0.2, one_sided = D == 2 ? 0.7 : 0.74;
   find_surroundings(0, 0);
   double sum = 0, whole = 0;
   for (Index i = 0; i < particles_.fluids(); ++i) {

@@ -2,8 +2,9 @@
 
 namespace mote {
 
-std::vector<WallMotion> motions_of(const std::vector<Body>& bodies, double time, double half) {
-  std::vector<WallMotion> motions(bodies.size());
+void observe(const std::vector<Body>& bodies, double time, double half,
+             std::vector<WallMotion>& motions) {
+  motions.assign(bodies.size(), {});
   for (std::size_t k = 0; k < motions.size(); ++k) {
     const auto& velocity = bodies[k].velocity;
     if (!velocity) continue;
@@ -12,7 +13,6 @@ std::vector<WallMotion> motions_of(const std::vector<Body>& bodies, double time,
     for (std::size_t d = 0; d < before.size(); ++d)
       motions[k].acceleration[d] = (after[d] - before[d]) / (2 * half);
   }
-  return motions;
 }
 
 }  // namespace mote

@@ -11,8 +11,9 @@ struct WallMotion {
   Triple velocity{}, acceleration{};
 };
 
-/// How all of them move now; accelerations are differences over twice `half` of time.
-std::vector<WallMotion> motions_of(const std::vector<Body>& bodies, double time, double half);
+/// Notes how all of them move now; accelerations are differences over twice `half` of time.
+void observe(const std::vector<Body>& bodies, double time, double half,
+             std::vector<WallMotion>& motions);
 
 /// The fluid as it goes on into a wall.
 template <int D>

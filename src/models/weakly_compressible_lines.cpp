@@ -72,7 +72,7 @@ void WeaklyCompressible<D>::sum_densities() {
 template <int D>
 void WeaklyCompressible<D>::observe_walls(double time) {
   const double half = 1e-4 * smoothing_length_ / state_.sound_speed;
-  motions_ = motions_of(start_.bodies, time, half);
+  observe(start_.bodies, time, half, motions_);
 }
 
 template <int D>

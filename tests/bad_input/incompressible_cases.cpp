@@ -59,7 +59,7 @@ const std::vector<ScenarioCase> fluids{
     {"surface_that_is_denied", model("free_surface: @false, mean_pressure: 0"),
      " of the neighbours that it has inside a fluid: is it at a free surface?"},
     {"closed_fluid_that_bears_no_tension",
-     full_box("free_surface: false, mean_pressure: 0, tension: false"),
+     model("free_surface: false, mean_pressure: 0, tension: @false"),
      "without a free surface the fluid cannot part"},
     {"tolerance_below_rounding", model("solver: {tolerance: @1e-15}"),
      "rounding alone leaves residuals of 1e-14, and 'tolerance' is 1e-15"},

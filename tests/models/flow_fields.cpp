@@ -172,7 +172,7 @@ TEST(FreeSurface, IsFlaggedInATankAndNothingInsideIs) {
   const double spacing = 0.05, gravity = 2;
   FlowCase flow = flow_in_a_box(2, spacing, {1, 0.5});
   flow.options.sound_speed = 20;
-  flow.options.gravity = {0, -gravity};
+  flow.options.body_force.gravity = {0, -gravity};
   flow.pressure = [=](const Place& at) { return gravity * (0.5 - at[1]); };
   with_wall(flow, 0, false);
   with_wall(flow, 0, true);

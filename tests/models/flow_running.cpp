@@ -18,7 +18,7 @@ FlowCase busy_tank(double spacing) {
   FlowCase flow = flow_in_a_box(2, spacing, {0.8, 0.6});
   flow.plan.upper = {1, 1};
   flow.options.sound_speed = 30;
-  flow.options.gravity = {0, -9.81};
+  flow.options.body_force.gravity = {0, -9.81};
   flow.options.viscosity = Viscosity::artificial;
   flow.options.diffusion = DensityDiffusion::antuono;
   flow.options.shifting = 0.5;
@@ -177,7 +177,7 @@ TEST(LongestStep, IsThatOfSound) {
 
 TEST(LongestStep, IsThatOfForces) {
   FlowCase flow = block();
-  flow.options.gravity = {0, -1e5};
+  flow.options.body_force.gravity = {0, -1e5};
   flow.options.diffusion = DensityDiffusion::none;
   EXPECT_NEAR(longest_step(flow, 0.3), 0.3 * std::sqrt(length / 1e5), 1e-15);
 }

@@ -38,7 +38,7 @@ constexpr double fall = 2;  // gravity
 FlowCase tank(double sound_speed) {
   FlowCase flow = flow_in_a_box(2, spacing, {1, 0.5});
   flow.options.sound_speed = sound_speed;
-  flow.options.gravity = {0, -fall};
+  flow.options.body_force.gravity = {0, -fall};
   flow.pressure = [](const Place& at) { return fall * (0.5 - at[1]); };
   with_wall(flow, 0, false);
   with_wall(flow, 0, true);

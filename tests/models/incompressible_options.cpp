@@ -64,7 +64,7 @@ TEST(Solvers, AgreeAsFarAsTheirTolerance) {
 /// Water over a bed, periodic along x.
 IncompressibleCase pond(double depth) {
   auto flow = incompressible_box<2>(spacing, {0.5, depth}, {true, false, false});
-  flow.options.gravity = {0, -gravity};
+  flow.options.body_force.gravity = {0, -gravity};
   flow.options.density = density;
   flow.options.source = PressureSource::divergence;
   return with_wall(flow, 1, false);

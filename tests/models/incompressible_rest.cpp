@@ -15,7 +15,7 @@ constexpr double step = 0.014;  // 0.2 sqrt(spacing/gravity)
 /// Water in an open tank.
 IncompressibleCase open_tank() {
   auto flow = incompressible_box<2>(spacing, {0.5, depth});
-  flow.options.gravity = {0, -gravity};
+  flow.options.body_force.gravity = {0, -gravity};
   flow.options.density = density;
   flow.options.tolerance = 1e-12;
   flow.options.source = PressureSource::divergence;
@@ -101,7 +101,7 @@ TEST(WaterAtRest, HasNearlyThePressureOfItsDepthByMps) {
 
 TEST(WaterAtRest, StaysSoInThreeDimensions) {
   auto given = incompressible_box<3>(0.1, {0.8, 0.8, 0.5}, {true, true, false});
-  given.options.gravity = {0, 0, -gravity};
+  given.options.body_force.gravity = {0, 0, -gravity};
   given.options.tolerance = 1e-12;
   given.options.source = PressureSource::divergence;
   const auto flow = make_incompressible<3>(with_wall(given, 2, false));
@@ -121,7 +121,7 @@ TEST(WaterAtRest, IsHardlyMovedByTheMixedSource) {
 /// disorder, and a start that moves.
 TEST(WaterThatIsDisturbed, DoesNotRest) {
   auto leaning = open_tank();
-  leaning.options.gravity[0] = 0.01 * gravity;
+  leaning.options.body_force.gravity[0] = 0.01 * gravity;
   EXPECT_GT(unrest_of(leaning).speed, 1e-3);
   auto repulsive = closed_tank();
   repulsive.options.gradient = PressureGradient::repulsive;

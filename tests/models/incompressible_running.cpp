@@ -12,7 +12,7 @@ namespace {
 IncompressibleCase falling_water(double spacing) {
   auto flow = incompressible_box<2>(spacing, {0.8, 0.64});
   flow.plan.upper = {1.2, 1.2};
-  flow.options.gravity = {0, -9.81};
+  flow.options.body_force.gravity = {0, -9.81};
   flow.options.kinematic_viscosity = 1e-4;
   flow.options.shifting = 0.5;
   flow.options.collision_distance = 0.5;
