@@ -18,11 +18,12 @@ std::unique_ptr<Wanted> as(std::unique_ptr<Given> given) {
   return std::unique_ptr<Wanted>(dynamic_cast<Wanted*>(given.release()));
 }
 
-/// How far the operator and the terms on its kernel reach.
+/// How far the operator, the terms on its kernel and the test for the surface reach.
 template <int D>
-double reach_of(const SpaceSetup& setup) {
+double reach_of(const SpaceSetup& setup, SurfaceTest test) {
   const auto& terms = dynamic_cast<const FluidTerms<D>&>(*setup.terms);
-  return setup.spacing * std::max({terms.support() * setup.smoothing_length, counted_within,
+  const double seen = test == SurfaceTest::cone ? 2 * cone_length : counted_within;
+  return setup.spacing * std::max({terms.support() * setup.smoothing_length, seen,
                                    setup.differential_operator->neighbour_rule().reach()});
 }
 
@@ -31,7 +32,7 @@ double reach_of(const SpaceSetup& setup) {
 template <int D>
 Incompressible<D>::Incompressible(const IncompressibleOptions& options, SpaceSetup setup)
     : options_(options),
-      particles_(setup, setup.search, setup.skin, reach_of<D>(setup)),
+      particles_(setup, setup.search, setup.skin, reach_of<D>(setup, options.surface_test)),
       terms_(as<FluidTerms<D>>(std::move(setup.terms))),
       operator_(as<DifferentialOperator<D>>(std::move(setup.differential_operator))),
       smoothing_length_(setup.smoothing_length * setup.spacing),
@@ -73,6 +74,10 @@ void Incompressible<D>::refuse_what_does_not_go_together() const {
     throw InputError("model.free_surface",
                      "without a free surface nothing fixes the level of the pressure: "
                      "'mean_pressure' is needed");
+  if (!options_.free_surface && options_.surface_test == SurfaceTest::missing_neighbours)
+    throw InputError("model.surface.test",
+                     "'missing_neighbours' gives the pressure a level, and without a free surface "
+                     "its mean does");
   if (!options_.free_surface && !options_.tension)
     throw InputError("model.tension",
                      "without a free surface the fluid cannot part, and 'tension: false' would "
@@ -89,8 +94,10 @@ void Incompressible<D>::end_step(double time, double step) {
   particles_.observe_walls(time, instant);
   particles_.drift(step / 2);
   take_positions(time, step * highest_speed());
-  predict(time, step);
-  project(time, step);
+  find_pulls(time + step / 2);
+  predict(step);
+  project(step);
+  note_fields();
   if (options_.collision_distance > 0) collide();
   particles_.observe_walls(time + step, instant);
   particles_.drift(step / 2);
@@ -113,6 +120,8 @@ void Incompressible<D>::find_surroundings(double time, double travel) {
 template <int D>
 void Incompressible<D>::take_positions(double time, double travel) {
   find_surroundings(time, travel);
+  if (particles_.fluids() == 0)
+    throw NumericalFailure("no fluid is left", {}, "all of it has left the domain");
   if (options_.free_surface && std::ranges::count(at_surface_, 1) == 0)
     throw NumericalFailure("no particle is at a free surface any more", {},
                            "the fluid has filled all of its space, and nothing fixes the level of "
@@ -120,10 +129,9 @@ void Incompressible<D>::take_positions(double time, double travel) {
   fill_points();
   find_weights();
   if (pattern_of_ != particles_.rebuilds()) make_pattern();
-  work_.pairs += static_cast<std::int64_t>(weights_.pairs());
+  work_.pairs += weights_.within_support();
   work_.evaluations += 1;
-  work_.mean_neighbours =
-      static_cast<double>(weights_.pairs()) / std::max<Index>(1, particles_.fluids());
+  work_.mean_neighbours = static_cast<double>(weights_.within_support()) / particles_.fluids();
 }
 
 /// What operators see of the lines.
@@ -176,14 +184,34 @@ double Incompressible<D>::highest_speed() const {
   return std::sqrt(most);
 }
 
+/// Of walls with a velocity, and of what they gain while they cross a spacing.
+template <int D>
+double Incompressible<D>::highest_wall_speed(double time) const {
+  double most = 0;
+  for (const Body& body : bodies()) {
+    if (!body.velocity) continue;
+    const auto at = [&](double moment) -> Vec<D> {
+      return Vec<D>::Map(body.velocity(moment).data());
+    };
+    const double instant = 1e-6 * std::max(1.0, std::abs(time));
+    const double gain = (at(time + instant) - at(time)).norm() / instant;
+    most = std::max(most, at(time).norm() + std::sqrt(gain * spacing()));
+  }
+  return most;
+}
+
 /// Gradients that are not 0 for a constant pressure push particles back to where they lie
 /// regularly, which swings with the speed sqrt(p/rho).
 template <int D>
 double Incompressible<D>::longest_step(double time, double courant) {
-  const double dx = spacing(), speed = highest_speed(), pull = strongest_pull(time);
+  find_pulls(time);
+  double pull = 0;
+  for (const Vec<D>& each : pulls_) pull = std::max(pull, each.norm());
+  const double dx = spacing(), speed = std::max(highest_speed(), highest_wall_speed(time));
   double step = std::numeric_limits<double>::infinity();
   if (speed > 0) step = courant * dx / speed;
-  const double highest = std::ranges::max(cloud().values("pressure"));
+  double highest = 0;
+  for (const double pressure : cloud().values("pressure")) highest = std::max(highest, pressure);
   if (options_.gradient != PressureGradient::plain && highest > 0)
     step = std::min(step, courant * dx / std::sqrt(highest / options_.density));
   if (pull > 0) step = std::min(step, courant * std::sqrt(dx / pull));
@@ -193,17 +221,12 @@ double Incompressible<D>::longest_step(double time, double courant) {
   return step;
 }
 
-/// Of gravity and force.
 template <int D>
-double Incompressible<D>::strongest_pull(double time) const {
-  if (!body_force_.has_formulas()) return gravity().norm();
-  double most = 0;
-#pragma omp parallel for schedule(static) \
-    reduction(max                         \
-              : most) if (parallel_from <= particles_.fluids())
-  for (Index i = 0; i < particles_.fluids(); ++i)
-    most = std::max(most, (gravity() + body_force_.at(particles_.position(i), time)).norm());
-  return most;
+void Incompressible<D>::find_pulls(double time) {
+  pulls_.resize(static_cast<std::size_t>(particles_.count()));
+#pragma omp parallel for schedule(static) if (parallel_from <= particles_.count())
+  for (Index i = 0; i < particles_.count(); ++i)
+    pulls_[static_cast<std::size_t>(i)] = gravity() + body_force_.at(particles_.position(i), time);
 }
 
 template <int D>

@@ -16,6 +16,9 @@ namespace mote {
 /// Radius within which the number density n counts, in spacings (Koshizuka & Oka 1996).
 inline constexpr double counted_within = 2.1;
 
+/// Length s of the cone that is free of neighbours at a surface, in spacings (Marrone et al. 2010).
+inline constexpr double cone_length = 1.33;
+
 /// A fluid of constant density, whose pressure keeps its velocity free of divergence (Chorin 1968;
 /// Koshizuka & Oka 1996; Cummins & Rudman 1999):
 ///   Du/Dt = -grad p/rho + nu lap u + gravity + force,   div u = 0,   Dx/Dt = u.
@@ -47,7 +50,7 @@ class Incompressible final : public Model {
   bool steps_itself() const override { return true; }
   void end_step(double time, double step) override;
   void update_dependent_fields() override {}
-  void complete_snapshot() override;
+  void complete_fields() override;
   void inspect() const override;
   void start_afresh() override { particles_.forget_neighbours(); }
   void restore(const Cloud& state) override { particles_.restore(state); }
@@ -92,14 +95,14 @@ class Incompressible final : public Model {
   double least_spread(Index i) const;
   double kernel_density(Index i) const;
 
-  void predict(double time, double step);
+  void predict(double step);
   void show(const Vectors& velocities);
   void show_pressure();
   void extrapolate_to(Index i);
   Vec<D> laplacian_of_velocity(Index i) const;
   Vec<D> gradient_of_pressure(Index i) const;
 
-  void project(double time, double step);
+  void project(double step);
   void assemble(double step);
   void refuse_bad_diagonals() const;
   double source_at(Index i, double step) const;
@@ -109,14 +112,14 @@ class Incompressible final : public Model {
   Vec<D> bounce_off_walls(Index i) const;
   void shift_particles(double time, double step);
 
-  void find_densities_after(double step);
+  void expect_densities_after(double step);
   template <class Term>
   double sum_over_fluid(Term term) const;
   const Vec<D>& gravity() const { return body_force_.gravity(); }
   double highest_speed() const;
-  double strongest_pull(double time) const;
-  double volume_error() const;
-  double divergence() const;
+  double highest_wall_speed(double time) const;
+  void find_pulls(double time);
+  void note_fields();
 
   IncompressibleOptions options_;
   FlowParticles<D> particles_;
@@ -125,6 +128,7 @@ class Incompressible final : public Model {
   std::unique_ptr<DifferentialOperator<D>> pressure_operator_;  ///< null: the same
   double smoothing_length_, volume_, mass_;
   BodyForce<D> body_force_;
+  Vectors pulls_;  ///< gravity and force at every particle, now
 
   Points<D> points_;  ///< as the operator sees the lines
   PairWeights<D> weights_;
@@ -132,6 +136,7 @@ class Incompressible final : public Model {
   double full_laplacian_ = 0;             ///< sum of l_ij of a lattice
   double full_number_density_ = 0, full_kernel_density_ = 0;  ///< n0, of the lattice
   std::vector<double> density_;                               ///< relative to that of the lattice
+  std::vector<double> expected_density_;  ///< where v and gravity alone would take the particles
   std::vector<std::uint8_t> at_surface_;
   std::vector<std::uint8_t> alone_;       ///< with too few neighbours for any derivative
   std::vector<double> surface_pressure_;  ///< at the particles of the surface
@@ -154,6 +159,8 @@ class Incompressible final : public Model {
     SolveResult last;
     std::int64_t steps = 0, iterations = 0, collisions = 0;
     double solving = 0, stepping = 0;  ///< seconds
+    double volume_error = 0;           ///< mean of the relative densities, less 1
+    double divergence = 0;             ///< root mean square, before the last kick
   } course_;
 };
 

@@ -47,9 +47,8 @@ void Incompressible<D>::make_pattern() {
 
 /// Solves for the pressure and lets it act.
 template <int D>
-void Incompressible<D>::project(double time, double step) {
-  particles_.observe_walls(time, 1e-4 * step);
-  if (options_.source == PressureSource::density) find_densities_after(step);
+void Incompressible<D>::project(double step) {
+  if (options_.source == PressureSource::density) expect_densities_after(step);
   show(velocity_);
   assemble(step);
   refuse_bad_diagonals();
@@ -58,27 +57,28 @@ void Incompressible<D>::project(double time, double step) {
   const Index fluids = particles_.fluids();
 #pragma omp parallel for schedule(static) if (parallel_from <= fluids)
   for (Index i = 0; i < fluids; ++i)
-    particles_.velocity(i) = velocity_[static_cast<std::size_t>(i)] +
-                             step * (gravity() - gradient_of_pressure(i) / options_.density);
+    particles_.velocity(i) =
+        velocity_[static_cast<std::size_t>(i)] +
+        step * (pulls_[static_cast<std::size_t>(i)] - gradient_of_pressure(i) / options_.density);
 }
 
-/// Densities where v and gravity alone would take the particles.
 template <int D>
-void Incompressible<D>::find_densities_after(double step) {
+void Incompressible<D>::expect_densities_after(double step) {
   const Index fluids = particles_.fluids();
   auto& lines = particles_.lines();
   const auto move = [&](double duration) {
 #pragma omp parallel for schedule(static) if (parallel_from <= fluids)
     for (Index i = 0; i < fluids; ++i)
       Vec<D>::Map(lines[static_cast<std::size_t>(i)].value.data() + Line::position) =
-          particles_.position(i) +
-          duration * (velocity_[static_cast<std::size_t>(i)] + step * gravity());
+          particles_.position(i) + duration * (velocity_[static_cast<std::size_t>(i)] +
+                                               step * pulls_[static_cast<std::size_t>(i)]);
     particles_.copy_to_images();
   };
   move(step / 2);
+  expected_density_.resize(density_.size());
 #pragma omp parallel for schedule(static) if (parallel_from <= fluids)
   for (Index i = 0; i < fluids; ++i)
-    density_[static_cast<std::size_t>(i)] = kernel_density(i) / full_kernel_density_;
+    expected_density_[static_cast<std::size_t>(i)] = kernel_density(i) / full_kernel_density_;
   move(0);
 }
 
@@ -86,9 +86,9 @@ void Incompressible<D>::find_densities_after(double step) {
 template <int D>
 double Incompressible<D>::source_at(Index i, double step) const {
   const auto k = static_cast<std::size_t>(i);
-  const double deviation = density_[k] - 1;
   if (options_.source == PressureSource::density)
-    return -2 * options_.relaxation * deviation / step;
+    return -2 * options_.relaxation * (expected_density_[k] - 1) / step;
+  const double deviation = density_[k] - 1;
   const auto& lines = particles_.lines();
   const auto list = particles_.lists()[i];
   const auto weights = weights_.gradient(i);
@@ -96,7 +96,12 @@ double Incompressible<D>::source_at(Index i, double step) const {
   Mat<D> slope = Mat<D>::Zero();
   for (std::size_t n = 0; n < list.size(); ++n)
     slope += weights[n] * (lines[static_cast<std::size_t>(list[n])].speed() - own).transpose();
-  const double divergence = slope.trace() - step / 2 * (slope * slope).trace();
+  double divergence = slope.trace() - step / 2 * (slope * slope).trace();
+  if (body_force_.has_formulas())
+    for (std::size_t n = 0; n < list.size(); ++n)
+      divergence +=
+          step *
+          weights[n].dot(pulls_[static_cast<std::size_t>(particles_.owner(list[n]))] - pulls_[k]);
   if (options_.source == PressureSource::divergence) return divergence;
   const double left = before_[k];
   return divergence + std::abs(deviation) * left -
@@ -111,6 +116,8 @@ void Incompressible<D>::assemble(double step) {
   const auto& lines = particles_.lines();
   right_side_.assign(static_cast<std::size_t>(fluids), 0);
   pressure_.resize(static_cast<std::size_t>(fluids));
+  // Like those of other rows, so that a residual weighs all rows alike in any unit of length.
+  const double fixed = 2 * D / (spacing() * spacing());
 #pragma omp parallel for schedule(static) if (parallel_from <= fluids)
   for (Index i = 0; i < fluids; ++i) {
     const auto at = static_cast<std::size_t>(i);
@@ -120,8 +127,9 @@ void Incompressible<D>::assemble(double step) {
         static_cast<std::size_t>(std::ranges::lower_bound(columns, i) - columns.begin());
     std::ranges::fill(values, 0.0);
     if (has_fixed_pressure(i)) {
-      values[own] = 1;
-      right_side_[at] = pressure_[at] = surface_pressure_[at];
+      values[own] = fixed;
+      pressure_[at] = surface_pressure_[at];
+      right_side_[at] = fixed * surface_pressure_[at];
       continue;
     }
     pressure_[at] = particles_.pressure(i);
@@ -131,8 +139,8 @@ void Incompressible<D>::assemble(double step) {
     for (std::size_t k = 0; k < lists[i].size(); ++k) {
       const Index j = lists[i][k], owner = particles_.owner(j);
       if (owner >= fluids) {
-        const Vec<D> pull =
-            gravity() - Vec<D>::Map(particles_.motion_of(owner).acceleration.data());
+        const Vec<D> pull = pulls_[static_cast<std::size_t>(owner)] -
+                            Vec<D>::Map(particles_.motion_of(owner).acceleration.data());
         right += weights[k] * options_.density *
                  pull.dot(lines[static_cast<std::size_t>(j)].place() - place);
         continue;

@@ -36,48 +36,18 @@ std::vector<Conserved> Incompressible<D>::conserved() const {
 
 template <int D>
 std::vector<Reading> Incompressible<D>::readings() const {
-  std::vector<Reading> readings{
-      {"kinetic_energy",
-       sum_over_fluid([&](Index i) { return 0.5 * particles_.velocity(i).squaredNorm(); })},
-      {"potential_energy",
-       sum_over_fluid([&](Index i) { return -gravity().dot(particles_.position(i)); })},
-      {"highest_speed", highest_speed()},
-      {"removed", static_cast<double>(particles_.removed().count())},
-      {"volume_error", volume_error()},
-      {"divergence", divergence()},
-      {"iterations", static_cast<double>(course_.last.iterations)},
-      {"residual", course_.last.residual},
-      {"solver_share", course_.stepping > 0 ? course_.solving / course_.stepping : 0}};
-  return readings;
-}
-
-/// Mean over the particles off the surface of how far the density is from that of the lattice.
-template <int D>
-double Incompressible<D>::volume_error() const {
-  const Index fluids = std::min(particles_.fluids(), static_cast<Index>(density_.size()));
-  const auto inside = [&](Index i) { return at_surface_[static_cast<std::size_t>(i)] == 0; };
-  const double count = fixed_sum(fluids, 0.0, [&](Index i) { return inside(i) ? 1.0 : 0.0; });
-  if (count == 0) return 0;
-  return fixed_sum(
-             fluids, 0.0,
-             [&](Index i) { return inside(i) ? density_[static_cast<std::size_t>(i)] - 1 : 0; }) /
-         count;
-}
-
-/// Root mean square over the particles off the surface of the divergence that the last step found
-/// in the velocity, where the step before it had left the particles, in spacings over the highest
-/// speed.
-template <int D>
-double Incompressible<D>::divergence() const {
-  const Index fluids = std::min(particles_.fluids(), static_cast<Index>(before_.size()));
   const double speed = highest_speed();
-  if (fluids == 0 || speed == 0) return 0;
-  const auto inside = [&](Index i) { return at_surface_[static_cast<std::size_t>(i)] == 0; };
-  const double count = fixed_sum(fluids, 0.0, [&](Index i) { return inside(i) ? 1.0 : 0.0; });
-  const double sum = fixed_sum(fluids, 0.0, [&](Index i) {
-    return inside(i) ? std::pow(before_[static_cast<std::size_t>(i)], 2) : 0;
-  });
-  return std::sqrt(sum / std::max(1.0, count)) * spacing() / speed;
+  return {{"kinetic_energy",
+           sum_over_fluid([&](Index i) { return 0.5 * particles_.velocity(i).squaredNorm(); })},
+          {"potential_energy",
+           sum_over_fluid([&](Index i) { return -gravity().dot(particles_.position(i)); })},
+          {"highest_speed", speed},
+          {"removed", static_cast<double>(particles_.removed().count())},
+          {"volume_error", course_.volume_error},
+          {"divergence", speed > 0 ? course_.divergence * spacing() / speed : 0},
+          {"iterations", static_cast<double>(course_.last.iterations)},
+          {"residual", course_.last.residual},
+          {"solver_share", course_.stepping > 0 ? course_.solving / course_.stepping : 0}};
 }
 
 template <int D>
@@ -112,12 +82,12 @@ Parameters Incompressible<D>::parameters() const {
   return parameters;
 }
 
-/// The pair forces of pressure and friction on the wall's particles, as they act on the fluid with
-/// the opposite sign; none before neighbours are known.
+/// An estimate by pairs: the forces of pressure and friction of symmetric sums over the kernel,
+/// which are near those by the scenario's operator; none before the first step.
 template <int D>
 Triple Incompressible<D>::force_on(std::size_t body) const {
   const auto& lines = particles_.lines();
-  if (lines.empty()) return {};
+  if (course_.steps == 0) return {};
   FluidCoefficients<D> coefficients;
   coefficients.smoothing_length = smoothing_length_;
   coefficients.mass = mass_;
@@ -138,14 +108,36 @@ Triple Incompressible<D>::force_on(std::size_t body) const {
   return force;
 }
 
+/// The lines that forces on walls are taken from.
 template <int D>
-void Incompressible<D>::complete_snapshot() {
-  const Index known = std::min(particles_.fluids(), static_cast<Index>(density_.size()));
-  auto relative = cloud().values("relative_density");
-  std::copy_n(density_.begin(), known, relative.begin());
-  if (!options_.free_surface) return;
-  auto surface = cloud().values("surface");
-  std::copy_n(at_surface_.begin(), known, surface.begin());
+void Incompressible<D>::complete_fields() {
+  if (course_.steps == 0) return;
+  const Index fluids = particles_.fluids();
+  velocity_.resize(static_cast<std::size_t>(fluids));
+  for (Index i = 0; i < fluids; ++i)
+    velocity_[static_cast<std::size_t>(i)] = particles_.velocity(i);
+  show(velocity_);
+  show_pressure();
+}
+
+/// What the step has found, before particles may change their order: fields for snapshots, and for
+/// the history the mean over the particles off the surface of how far the density is from that of
+/// the lattice, and the root mean square of the divergence that the step before has left.
+template <int D>
+void Incompressible<D>::note_fields() {
+  const Index fluids = particles_.fluids();
+  std::ranges::copy(density_, cloud().values("relative_density").begin());
+  if (options_.free_surface) std::ranges::copy(at_surface_, cloud().values("surface").begin());
+  const auto mean_inside = [&](auto term) {
+    const auto inside = [&](Index i) { return at_surface_[static_cast<std::size_t>(i)] == 0; };
+    const double count = fixed_sum(fluids, 0.0, [&](Index i) { return inside(i) ? 1.0 : 0.0; });
+    const double sum = fixed_sum(
+        fluids, 0.0, [&](Index i) { return inside(i) ? term(static_cast<std::size_t>(i)) : 0.0; });
+    return sum / std::max(1.0, count);
+  };
+  course_.volume_error = mean_inside([&](std::size_t k) { return density_[k] - 1; });
+  course_.divergence =
+      std::sqrt(mean_inside([&](std::size_t k) { return before_[k] * before_[k]; }));
 }
 
 template class Incompressible<2>;

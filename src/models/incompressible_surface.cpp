@@ -83,6 +83,8 @@ void Incompressible<D>::refuse_broken_arrangement() {
                      fmt::format("n0 is that of a lattice, and the particles well inside the fluid "
                                  "lie {:.3g} times as densely",
                                  sum / whole));
+  before_.assign(density_.size(), 0);
+  note_fields();
   if (options_.free_surface && std::ranges::count(at_surface_, 1) == 0)
     throw InputError("model.free_surface",
                      "no particle is at a free surface, and nothing else fixes the level of the "
@@ -180,12 +182,12 @@ Vec<D> Incompressible<D>::outward(Index i) const {
 
 /// The test of Marrone et al. (2010): no neighbour within 45 degrees of the outward normal up to
 /// the distance sqrt(2) s, nor beyond that within s of the point at s along the normal; s is the
-/// length 1.33 spacings.
+/// cone_length.
 template <int D>
 bool Incompressible<D>::has_empty_cone(Index i) const {
   const auto& lines = particles_.lines();
   const Vec<D> own = lines[static_cast<std::size_t>(i)].place();
-  const double s = 1.33 * spacing();
+  const double s = cone_length * spacing();
   Vec<D> normal = outward(i);
   if (normal.norm() < 1e-3 * spacing()) return particles_.lists()[i].empty();
   normal.normalize();

@@ -4,12 +4,12 @@
 
 namespace mote {
 
-/// The velocity v without pressure and gravity: viscosity at the middle of the step, by the
+/// The velocity v without pressure, gravity and force: viscosity at the middle of the step, by the
 /// midpoint rule, with the pressure of the last step until there.
 template <int D>
-void Incompressible<D>::predict(double time, double step) {
+void Incompressible<D>::predict(double step) {
   const Index fluids = particles_.fluids();
-  const double nu = options_.kinematic_viscosity, middle = time + step / 2;
+  const double nu = options_.kinematic_viscosity;
   velocity_.resize(static_cast<std::size_t>(fluids));
   before_.assign(static_cast<std::size_t>(fluids), 0);
 #pragma omp parallel for schedule(static) if (parallel_from <= fluids)
@@ -33,15 +33,14 @@ void Incompressible<D>::predict(double time, double step) {
       velocity_[static_cast<std::size_t>(i)] =
           particles_.velocity(i) +
           step / 2 *
-              (nu * laplacian_of_velocity(i) + body_force_.at(particles_.position(i), middle) +
-               gravity() - gradient_of_pressure(i) / options_.density);
+              (nu * laplacian_of_velocity(i) + pulls_[static_cast<std::size_t>(i)] -
+               gradient_of_pressure(i) / options_.density);
     show(velocity_);
   }
 #pragma omp parallel for schedule(static) if (parallel_from <= fluids)
   for (Index i = 0; i < fluids; ++i) {
-    Vec<D> rate = body_force_.at(particles_.position(i), middle);
-    if (nu > 0) rate += nu * laplacian_of_velocity(i);
-    velocity_[static_cast<std::size_t>(i)] = particles_.velocity(i) + step * rate;
+    velocity_[static_cast<std::size_t>(i)] = particles_.velocity(i);
+    if (nu > 0) velocity_[static_cast<std::size_t>(i)] += step * nu * laplacian_of_velocity(i);
   }
 }
 
@@ -86,11 +85,11 @@ void Incompressible<D>::extrapolate_to(Index i) {
                            Vec<D>::Map(motion.velocity.data())};
   const FluidSeen<D> seen =
       terms_->seen(particles_.lines(), i, particles_.lists()[i], smoothing_length_, mass_, surface);
-  const Vec<D> pull = gravity() - Vec<D>::Map(motion.acceleration.data());
+  const Vec<D> pull = pulls_[static_cast<std::size_t>(i)] - Vec<D>::Map(motion.acceleration.data());
   const ContinuedFluid<D> ghost =
       continue_into_wall(seen, surface, particles_.body_of(i).slips, pull, 0.0);
   Vec<D>::Map(line.value.data() + Line::velocity) = ghost.velocity;
-  line.value[Line::pressure] = ghost.pressure;
+  line.value[Line::pressure] = options_.tension ? ghost.pressure : std::max(0.0, ghost.pressure);
 }
 
 template <int D>
@@ -116,8 +115,9 @@ Vec<D> Incompressible<D>::gradient_of_pressure(Index i) const {
   double from = pressure(i);
   if (options_.gradient == PressureGradient::symmetric) from = -from;
   if (options_.gradient == PressureGradient::repulsive)
-    for (const Index j : list)
-      if (particles_.is_fluid(j)) from = std::min(from, pressure(j));
+    for (std::size_t k = 0; k < list.size(); ++k)
+      if (particles_.is_fluid(list[k]) && !weights[k].isZero(0))
+        from = std::min(from, pressure(list[k]));
   Vec<D> sum = Vec<D>::Zero();
   for (std::size_t k = 0; k < list.size(); ++k) sum += weights[k] * (pressure(list[k]) - from);
   return trust_[static_cast<std::size_t>(i)] * sum;
@@ -163,6 +163,9 @@ template <int D>
 Vec<D> Incompressible<D>::bounce_off_walls(Index i) const {
   const auto& lines = particles_.lines();
   const double closest = 0.5 * options_.collision_distance * spacing();
+  // Straight above a wall's particle, in its own cell of the surface, whatever lies beside its
+  // body.
+  const double half_a_diagonal = 0.5 * std::sqrt(D - 1.0) * spacing() * rim_tolerance;
   Vec<D> velocity = particles_.velocity(i);
   for (const Index j : particles_.lists()[i]) {
     const Index wall = particles_.owner(j);
@@ -171,8 +174,8 @@ Vec<D> Incompressible<D>::bounce_off_walls(Index i) const {
     const WallPlace& place = particles_.place_of(wall);
     const Vec<D> normal = Vec<D>::Map(place.normal.data());
     const double height = apart.dot(normal);
-    const bool beside = (apart - height * normal).norm() <= spacing();
-    if (!beside || height - place.depth >= closest) continue;
+    const double aside = (apart - height * normal).norm();
+    if (aside > half_a_diagonal || std::abs(height - place.depth) >= closest) continue;
     const Vec<D> met = Vec<D>::Map(particles_.motion_of(wall).velocity.data());
     const double approach = -(velocity - met).dot(normal);
     if (approach > 0) velocity += (1 + options_.restitution) * approach * normal;

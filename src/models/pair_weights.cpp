@@ -16,7 +16,8 @@ void PairWeights<D>::find(const DifferentialOperator<D>& op, const NeighbourList
   gradient_.resize(pairs());
   laplacian_.resize(pairs());
   FirstFailure failure;
-#pragma omp parallel for schedule(static) if (parallel_from <= rows)
+  std::int64_t used = 0;
+#pragma omp parallel for schedule(static) reduction(+ : used) if (parallel_from <= rows)
   for (Index i = 0; i < rows; ++i) {
     const std::size_t count = lists[i].size();
     const auto gradients = std::span(gradient_).subspan(first(i), count);
@@ -31,8 +32,10 @@ void PairWeights<D>::find(const DifferentialOperator<D>& op, const NeighbourList
       std::ranges::fill(gradients, Vec<D>::Zero());
       std::ranges::fill(laplacians, 0.0);
     }
+    used += std::ranges::count_if(laplacians, [](double weight) { return weight != 0; });
   }
   failure.rethrow();
+  within_support_ = used;
 }
 
 template class PairWeights<2>;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,8 @@ class PairWeights {
   /// Number of the first pair of row i among all.
   std::size_t first(Index i) const { return first_[static_cast<std::size_t>(i)]; }
   std::size_t pairs() const { return first_.back(); }
+  /// How many pairs have a weight that is not 0: lists may reach further than the operator.
+  std::int64_t within_support() const { return within_support_; }
 
  private:
   template <class Weight>
@@ -33,6 +36,7 @@ class PairWeights {
   std::vector<std::size_t> first_;
   std::vector<Vec<D>> gradient_;
   std::vector<double> laplacian_;
+  std::int64_t within_support_ = 0;
 };
 
 extern template class PairWeights<2>;

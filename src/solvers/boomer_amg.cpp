@@ -106,14 +106,14 @@ void choose_smoothers(HYPRE_Solver amg) {
 /// What the multigrid is made for: the weights of particle methods fall fast with distance, and
 /// without weak entries cycles cost half as much and are as good.
 ///
-/// A singular matrix becomes regular by a little more on its diagonal, for the elimination on the
-/// coarsest level, which would divide by zero otherwise. Relaxation there instead does not converge
-/// for every matrix that is not symmetric.
-SparseMatrix regular_strong_part(const SparseMatrix& matrix, bool singular) {
+/// A little more on the diagonal makes it regular, also where the matrix is singular, or a few
+/// unknowns hang together with the others by weak entries alone: the elimination on the coarsest
+/// level would divide by zero otherwise. Relaxation there instead does not converge for every
+/// matrix that is not symmetric.
+SparseMatrix regular_strong_part(const SparseMatrix& matrix) {
   constexpr double weak = 0.1, little = 1e-6;
   SparseMatrix part = strong_part(matrix, weak);
-  if (singular)
-    for (Index i = 0; i < part.rows(); ++i) part.coeffRef(i, i) *= 1 + little;
+  for (Index i = 0; i < part.rows(); ++i) part.coeffRef(i, i) *= 1 + little;
   return part;
 }
 
@@ -142,8 +142,8 @@ void choose_one_cycle(HYPRE_Solver amg) {
 
 /// What hypre keeps of a matrix.
 struct BoomerAmg::Levels {
-  explicit Levels(const SparseMatrix& values, bool singular)
-      : matrix(regular_strong_part(values, singular)),
+  explicit Levels(const SparseMatrix& values)
+      : matrix(regular_strong_part(values)),
         residual(static_cast<Index>(values.rows())),
         correction(static_cast<Index>(values.rows())) {
     HYPRE_BoomerAMGCreate(&amg);
@@ -164,9 +164,9 @@ struct BoomerAmg::Levels {
 BoomerAmg::BoomerAmg() { begin_mpi(); }
 BoomerAmg::~BoomerAmg() = default;
 
-void BoomerAmg::prepare(const SparseMatrix& matrix, bool singular) {
+void BoomerAmg::prepare(const SparseMatrix& matrix) {
   levels_.reset();  // before the new ones, to save memory
-  levels_ = std::make_unique<Levels>(matrix, singular);
+  levels_ = std::make_unique<Levels>(matrix);
   require_success("prepare its multigrid");
 }
 

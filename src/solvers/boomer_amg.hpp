@@ -19,7 +19,7 @@ class BoomerAmg final : public Preconditioner {
   ~BoomerAmg() override;
 
   /// Throws NumericalFailure if hypre finds no coarse levels for the matrix.
-  void prepare(const SparseMatrix& matrix, bool singular) override;
+  void prepare(const SparseMatrix& matrix) override;
   void apply(const Eigen::VectorXd& residual, Eigen::VectorXd& correction) override;
 
  private:

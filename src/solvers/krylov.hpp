@@ -47,9 +47,10 @@ struct Convergence {
   double right_side_norm;
   double tolerance;
   Index most_iterations;
-  std::vector<double> history = {};  ///< begins with the first guess
+  std::vector<double> history = {};  ///< begins with the first guess, at every start
+  Index starts = 1;
 
-  Index iterations() const { return static_cast<Index>(history.size()) - 1; }
+  Index iterations() const { return static_cast<Index>(history.size()) - starts; }
   double residual() const { return history.back(); }
   bool met() const { return residual() <= tolerance; }
   bool may_go_on() const {

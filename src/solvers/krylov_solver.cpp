@@ -60,7 +60,7 @@ std::string cause_of(const SolverOptions& options, const Convergence& convergenc
 
 void KrylovSolver::prepare(const SparseMatrix& matrix, SolveResult& result) {
   const auto start = Clock::now();
-  preconditioner_->prepare(matrix, options().singular);
+  preconditioner_->prepare(matrix);
   prepared_rows_ = matrix.rows();
   result.setup_seconds += seconds_since(start);
 }
@@ -99,6 +99,7 @@ void KrylovSolver::improve(System& system, Preconditioning preconditioning,
     if (convergence.met()) return;
     system.solution = guess;
     convergence.history.push_back(convergence.history.front());
+    ++convergence.starts;
   }
   prepare(system.matrix, result);
   iterate(system, residual, convergence);

@@ -24,7 +24,8 @@ struct SolverOptions {
 struct SolveResult {
   Index iterations = 0;
   double residual = 0;          ///< |b - A x| / |b|, computed afresh from the solution
-  std::vector<double> history;  ///< |b - A x| / |b| of the first guess and after every iteration
+  std::vector<double> history;  ///< |b - A x| / |b| of the first guess and after every iteration;
+                                ///< again from the first guess where a kept preconditioner failed
   double removed_mean = 0;      ///< what was taken from all of the right side of a singular system
   double setup_seconds = 0;     ///< for the preconditioner
   double solve_seconds = 0;

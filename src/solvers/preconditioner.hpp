@@ -12,9 +12,8 @@ class Preconditioner {
  public:
   virtual ~Preconditioner() = default;
 
-  /// Takes over a matrix with a positive diagonal, of which every row sums to 0 if it is
-  /// `singular`.
-  virtual void prepare(const SparseMatrix& matrix, bool singular) = 0;
+  /// Takes over a matrix with a positive diagonal, which may be singular.
+  virtual void prepare(const SparseMatrix& matrix) = 0;
 
   /// Whether preparing costs more than a few iterations.
   virtual bool is_worth_keeping() const { return true; }
@@ -31,7 +30,7 @@ class DiagonalPreconditioner final : public Preconditioner {
       "Krylov iterations preconditioned by the diagonal; their number grows with that of points "
       "across";
 
-  void prepare(const SparseMatrix& matrix, bool) override {
+  void prepare(const SparseMatrix& matrix) override {
     inverse_diagonal_ = matrix.diagonal().cwiseInverse();
   }
 
