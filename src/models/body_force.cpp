@@ -37,9 +37,9 @@ BodyForce<D>::BodyForce(const BodyForceOptions& options, const SpaceStart& start
 
 template <int D>
 Vec<D> BodyForce<D>::at(const Vec<D>& position, double time) const {
-  const auto& formulas = formulas_[static_cast<std::size_t>(omp_get_thread_num())];
   Vec<D> force = Vec<D>::Zero();
-  if (formulas.empty()) return force;
+  if (!has_formulas()) return force;
+  const auto& formulas = formulas_[static_cast<std::size_t>(omp_get_thread_num())];
   Triple place{};
   std::copy_n(position.data(), D, place.begin());
   for (int d = 0; d < D; ++d) force[d] = formulas[static_cast<std::size_t>(d)](place, time);

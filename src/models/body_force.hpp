@@ -25,7 +25,8 @@ class BodyForce {
 
   const Vec<D>& gravity() const { return gravity_; }
   bool has_formulas() const { return !formulas_.front().empty(); }
-  /// By the formulas alone; zero without. To be called by any thread.
+  /// By the formulas alone; zero without. To be called by any thread of those there were at the
+  /// start.
   Vec<D> at(const Vec<D>& position, double time) const;
 
  private:

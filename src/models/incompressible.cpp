@@ -158,6 +158,7 @@ void Incompressible<D>::find_weights() {
   weights_.find(*operator_, lists, particles_.fluids(), alone_);
   for (std::size_t i = 0; i < alone_.size(); ++i)
     if (alone_[i] != 0) at_surface_[i] = 1;
+  if (options_.free_surface && !operator_->has_symmetric_laplacian()) free_surface_of_stress();
   if (!pressure_operator_) return;
   pressure_operator_->prepare(points_, lists);
   pressure_weights_.resize(weights_.pairs());
@@ -165,6 +166,27 @@ void Incompressible<D>::find_weights() {
   for (Index i = 0; i < particles_.fluids(); ++i)
     pressure_operator_->laplacian_weights(
         i, std::span(pressure_weights_).subspan(weights_.first(i), lists[i].size()));
+}
+
+/// At the surface the pressure is given, and no stress acts from beyond: the Laplacian of Brookshaw
+/// (1985), l_ij = 2 g_ij.x_ij/r^2, has the slope 0 across it and positive weights, by which
+/// friction always damps. A corrected one continues the curvature of the velocity beyond the
+/// surface instead.
+template <int D>
+void Incompressible<D>::free_surface_of_stress() {
+  const auto& lines = particles_.lines();
+#pragma omp parallel for schedule(static) if (parallel_from <= particles_.fluids())
+  for (Index i = 0; i < particles_.fluids(); ++i) {
+    if (at_surface_[static_cast<std::size_t>(i)] == 0) continue;
+    const auto list = particles_.lists()[i];
+    const auto gradient = weights_.gradient(i);
+    const auto laplacian = weights_.laplacian(i);
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const Vec<D> x = lines[static_cast<std::size_t>(list[k])].place() -
+                       lines[static_cast<std::size_t>(i)].place();
+      laplacian[k] = 2 * gradient[k].dot(x) / x.squaredNorm();
+    }
+  }
 }
 
 template <int D>

@@ -81,6 +81,7 @@ class Incompressible final : public Model {
   void take_positions(double time, double travel);
   void fill_points();
   void find_weights();
+  void free_surface_of_stress();
   std::span<const double> pressure_laplacian(Index i) const;
   void make_pattern();
   void find_surface();

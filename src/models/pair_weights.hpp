@@ -21,6 +21,10 @@ class PairWeights {
 
   std::span<const Vec<D>> gradient(Index i) const { return row<Vec<D>>(gradient_, i); }
   std::span<const double> laplacian(Index i) const { return row<double>(laplacian_, i); }
+  /// The same, to be written.
+  std::span<double> laplacian(Index i) {
+    return std::span(laplacian_).subspan(first(i), first(i + 1) - first(i));
+  }
   /// Number of the first pair of row i among all.
   std::size_t first(Index i) const { return first_[static_cast<std::size_t>(i)]; }
   std::size_t pairs() const { return first_.back(); }

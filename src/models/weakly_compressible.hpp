@@ -157,6 +157,7 @@ class WeaklyCompressible final : public Model {
   std::vector<WallMotion> motions_;
   bool lists_are_current_ = false, rates_are_current_ = false;
   double now_ = 0;               ///< time of the last step's start
+  double walls_at_ = 0;          ///< time at which the walls move as `motions_` says
   double skin_ = 0, moved_ = 0;  ///< how far lists reach beyond the kernel; how far particles went
   Index fluids_ = 0;             ///< fluid particles at the start
   double highest_speed_ = 0, highest_acceleration_ = 0, furthest_shift_ = 0;

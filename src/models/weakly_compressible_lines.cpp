@@ -73,6 +73,7 @@ template <int D>
 void WeaklyCompressible<D>::observe_walls(double time) {
   const double half = 1e-4 * smoothing_length_ / state_.sound_speed;
   observe(start_.bodies, time, half, motions_);
+  walls_at_ = time;
 }
 
 template <int D>
@@ -98,7 +99,9 @@ void WeaklyCompressible<D>::extrapolate_to(Index i) {
                            Vec<D>::Map(motion.velocity.data())};
   const FluidSeen<D> seen =
       terms_->seen(lines_, i, neighbours_.lists()[i], smoothing_length_, mass_, surface);
-  const Vec<D> pull = gravity() - Vec<D>::Map(motion.acceleration.data());
+  const Vec<D> pull =
+      gravity() + body_force_.at(Vec<D>::Map(position_.data() + std::ptrdiff_t{i} * D), walls_at_) -
+      Vec<D>::Map(motion.acceleration.data());
   const ContinuedFluid<D> ghost =
       continue_into_wall(seen, surface, body_of(i).slips, pull, options_.background_pressure);
   Vec<D>::Map(line.value.data() + Line::velocity) = ghost.velocity;
