@@ -9,6 +9,7 @@ from run_plots.reading import FlowSnapshot, label, read_columns
 COLOURS = {"speed": "viridis", "pressure": "coolwarm"}
 NOT_OBSERVED = ("time", "step", "kinetic_energy", "potential_energy", "compression_energy",
                 "viscous_power", "highest_speed", "removed",
+                "volume_error", "divergence", "iterations", "residual", "solver_share",
                 "angular_momentum")  # nor what is conserved
 OUTLIERS = 0.2  # per cent of the particles at each end whose colour may be that of the limit
 SLANT = 0.35  # how far one metre away goes up and to the right in the view of three dimensions

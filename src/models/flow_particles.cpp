@@ -107,12 +107,7 @@ void FlowParticles<D>::rebuild(double time, double travel) {
   remove_what_left(time);
   // As for pair sums: longer reaches last for more steps and cost more in each.
   skin_ = reach_ * skin_option_.value_or(std::clamp(std::sqrt(travel / reach_), 0.02, 0.1));
-  const auto sorted = neighbours_.order(position_, id_, reach_ + skin_);
-  order_.assign(sorted.begin(), sorted.end());
-  std::ranges::stable_partition(order_,
-                                [&](Index i) { return idle_[static_cast<std::size_t>(i)] == 0; });
-  cloud_.rearrange(order_);
-  name_fields();
+  if (!numbers_are_current_ || rebuilds_ - numbered_at_ >= most_rebuilds) number_by_place();
   neighbours_.find(position_, idle_, reach_ + skin_, ListForm::ascending);
   lines_.resize(static_cast<std::size_t>(count()) + neighbours_.images().size());
 #pragma omp parallel for schedule(static) if (parallel_from <= count())
@@ -121,6 +116,19 @@ void FlowParticles<D>::rebuild(double time, double travel) {
   moved_ = 0;
   lists_are_current_ = true;
   ++rebuilds_;
+}
+
+template <int D>
+void FlowParticles<D>::number_by_place() {
+  const auto sorted = neighbours_.order(position_, id_, reach_ + skin_);
+  order_.assign(sorted.begin(), sorted.end());
+  std::ranges::stable_partition(order_,
+                                [&](Index i) { return idle_[static_cast<std::size_t>(i)] == 0; });
+  cloud_.rearrange(order_);
+  name_fields();
+  numbered_at_ = rebuilds_;
+  numbers_are_current_ = true;
+  ++numberings_;
 }
 
 template <int D>
@@ -160,6 +168,7 @@ void FlowParticles<D>::remove_what_left(double time) {
   if (static_cast<Index>(order_.size()) == count()) return;
   cloud_.rearrange(order_);
   name_fields();
+  numbers_are_current_ = false;
 }
 
 template class FlowParticles<2>;

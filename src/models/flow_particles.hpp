@@ -15,8 +15,8 @@
 
 namespace mote {
 
-/// The particles of a flow: first those of the fluid and then those of the walls, each in their
-/// order in space, with who is whose neighbour, periodic images included. Lists reach a skin
+/// The particles of a flow: first those of the fluid and then those of the walls, each nearly in
+/// their order in space, with who is whose neighbour, periodic images included. Lists reach a skin
 /// further than asked for, and last until somebody has gone half of it.
 template <int D>
 class FlowParticles {
@@ -58,7 +58,7 @@ class FlowParticles {
   /// particles are expected to go until the next time. Returns whether they were found anew.
   bool update_neighbours(double time, double travel);
   /// Finds neighbours anew the next time.
-  void forget_neighbours() { lists_are_current_ = false; }
+  void forget_neighbours() { lists_are_current_ = numbers_are_current_ = false; }
   /// All neighbours of everybody but those of walls among themselves, in the order of numbers.
   const NeighbourLists& lists() const { return neighbours_.lists(); }
   /// Who stands behind line k: a particle or the owner of a periodic image.
@@ -77,6 +77,8 @@ class FlowParticles {
 
   const RemovedFluid<D>& removed() const { return removed_; }
   std::int64_t rebuilds() const { return rebuilds_; }
+  /// How often particles have got other numbers.
+  std::int64_t numberings() const { return numberings_; }
 
  private:
   static Eigen::Map<Vec<D>> at(std::span<double> values, Index i) {
@@ -86,6 +88,7 @@ class FlowParticles {
   void fill();
   void rebuild(double time, double travel);
   void remove_what_left(double time);
+  void number_by_place();
 
   SpaceStart start_;
   std::optional<double> skin_option_;
@@ -99,8 +102,12 @@ class FlowParticles {
   std::vector<Index> order_;
   RemovedFluid<D> removed_;
   Index fluids_ = 0, fluids_at_start_ = 0;
-  std::int64_t rebuilds_ = 0;
-  bool lists_are_current_ = false;
+  std::int64_t rebuilds_ = 0, numberings_ = 0, numbered_at_ = 0;
+  bool lists_are_current_ = false, numbers_are_current_ = false;
+
+  /// Searches until particles get numbers by their places again: what is known by number, such as a
+  /// preconditioner, lasts until then, and neighbours stay near each other in memory.
+  static constexpr std::int64_t most_rebuilds = 8;
 };
 
 extern template class FlowParticles<2>;

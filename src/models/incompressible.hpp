@@ -147,10 +147,12 @@ class Incompressible final : public Model {
   std::vector<std::uint8_t> moves_;  ///< whether shifting moves a particle
   std::vector<double> before_;       ///< divergence of the velocity before the kick
   std::unique_ptr<LinearSolver> solver_;
+  NeighbourLists columns_;  ///< of the matrix, but for its diagonal
   SparseMatrix matrix_;
-  std::vector<Index> slot_;           ///< where in its row the entry of a pair is
-  std::int64_t pattern_of_ = -1;      ///< for which lists the pattern was made
-  std::int64_t solved_pattern_ = -1;  ///< that the preconditioner was made for
+  std::vector<Index> slot_;             ///< where in its row the entry of a pair is
+  std::int64_t pattern_of_ = -1;        ///< for which lists the pattern was made
+  std::int64_t prepared_for_ = -1;      ///< the numbering that the preconditioner was made for
+  std::int64_t enough_iterations_ = 0;  ///< beyond which it is not worth keeping
   std::vector<double> right_side_, pressure_;
 
   PairWork work_;

@@ -15,22 +15,23 @@ template <int D>
 void Incompressible<D>::make_pattern() {
   const Index fluids = particles_.fluids();
   const auto& lists = particles_.lists();
-  NeighbourLists columns;
   std::size_t longest = 0;
   for (Index i = 0; i < fluids; ++i) longest = std::max(longest, lists[i].size());
-  columns.restart(fluids, longest);
+  columns_.restart(fluids, longest);
+#pragma omp parallel if (parallel_from <= fluids)
   {
-    NeighbourLists::Writer writer(columns);
+    NeighbourLists::Writer writer(columns_);
+#pragma omp for schedule(static)
     for (Index i = 0; i < fluids; ++i) {
       Index* const list = writer.room(longest);
       Index* end = list;
       for (const Index j : lists[i])
         if (particles_.is_fluid(j) && particles_.owner(j) != i) *end++ = particles_.owner(j);
-      std::sort(list, end);
+      if (!std::is_sorted(list, end)) std::sort(list, end);
       writer.close(i, std::unique(list, end));
     }
   }
-  matrix_ = matrix_of_zeros(columns);
+  matrix_ = matrix_of_zeros(columns_);
   slot_.assign(weights_.pairs(), -1);
 #pragma omp parallel for schedule(static) if (parallel_from <= fluids)
   for (Index i = 0; i < fluids; ++i) {
@@ -182,10 +183,12 @@ template <int D>
 void Incompressible<D>::solve() {
   const auto start = std::chrono::steady_clock::now();
   const double level = options_.mean_pressure.value_or(0);
-  const bool same_pattern = solved_pattern_ == pattern_of_;
-  solved_pattern_ = pattern_of_;
+  const bool keeps =
+      prepared_for_ == particles_.numberings() && course_.last.iterations <= enough_iterations_;
   course_.last = solver_->solve(matrix_, right_side_, pressure_,
-                                same_pattern ? Preconditioning::kept : Preconditioning::fresh);
+                                keeps ? Preconditioning::kept : Preconditioning::fresh);
+  if (!keeps) enough_iterations_ = 2 * course_.last.iterations + 2;
+  prepared_for_ = particles_.numberings();
   course_.iterations += course_.last.iterations;
   for (Index i = 0; i < particles_.fluids(); ++i) {
     double& pressure = particles_.pressure(i);

@@ -108,9 +108,12 @@ template <int D>
 double Incompressible<D>::number_density(Index i) const {
   const auto& lines = particles_.lines();
   const Vec<D> own = lines[static_cast<std::size_t>(i)].place();
+  const double furthest = std::pow(counted_within * spacing(), 2) * rim_tolerance;
   double sum = 0;
-  for (const Index j : particles_.lists()[i])
-    sum += counting_weight((lines[static_cast<std::size_t>(j)].place() - own).norm() / spacing());
+  for (const Index j : particles_.lists()[i]) {
+    const double squared = (lines[static_cast<std::size_t>(j)].place() - own).squaredNorm();
+    if (squared < furthest) sum += counting_weight(std::sqrt(squared) / spacing());
+  }
   return sum;
 }
 
