@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "mote/particles/failure.hpp"
 
@@ -121,9 +122,10 @@ void FlowParticles<D>::rebuild(double time, double travel) {
 template <int D>
 void FlowParticles<D>::number_by_place() {
   const auto sorted = neighbours_.order(position_, id_, reach_ + skin_);
-  order_.assign(sorted.begin(), sorted.end());
-  std::ranges::stable_partition(order_,
-                                [&](Index i) { return idle_[static_cast<std::size_t>(i)] == 0; });
+  order_.clear();
+  for (const std::uint8_t idle : {0, 1})
+    std::ranges::copy_if(sorted, std::back_inserter(order_),
+                         [&](Index i) { return idle_[static_cast<std::size_t>(i)] == idle; });
   cloud_.rearrange(order_);
   name_fields();
   numbered_at_ = rebuilds_;
