@@ -23,13 +23,15 @@ inline constexpr double cone_length = 1.33;
 /// Koshizuka & Oka 1996; Cummins & Rudman 1999):
 ///   Du/Dt = -grad p/rho + nu lap u + gravity + force,   div u = 0,   Dx/Dt = u.
 /// A step of dt is of second order: particles drift for dt/2, are kicked, and drift for dt/2. In
-/// the middle, v = u + dt (nu lap u + force) is the velocity without pressure, and p solves
-///   lap p = rho/dt (div v - dt/2 tr(grad v grad v)),
+/// the middle, v = u + dt nu lap u is the velocity without pressure, gravity and force, and p
+/// solves
+///   lap p = rho/dt (div v - dt/2 tr(grad v grad v)) + rho div force,
 /// the condition that the divergence vanishes where the particles are *after* the second drift.
 /// All derivatives are those of the scenario's operator, so the matrix is made of its weights l_ij.
 ///
-/// At walls the pressure goes on with the weight of the fluid, rho g.(x_j - x_i), and the velocity
-/// linearly through the wall's own (Adami, Hu & Adams 2012). At a free surface the pressure is 0.
+/// At walls the pressure goes on with the weight of the fluid, rho (g + force - a).(x_j - x_i) for
+/// walls accelerated by a (Adami, Hu & Adams 2012, (27)), and the velocity linearly through the
+/// wall's own. At a free surface the pressure is 0.
 template <int D>
 class Incompressible final : public Model {
  public:
@@ -98,6 +100,7 @@ class Incompressible final : public Model {
 
   void predict(double step);
   void show(const Vectors& velocities);
+  void show_velocities();
   void show_pressure();
   void extrapolate_to(Index i);
   Vec<D> laplacian_of_velocity(Index i) const;

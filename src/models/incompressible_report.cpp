@@ -112,11 +112,7 @@ Triple Incompressible<D>::force_on(std::size_t body) const {
 template <int D>
 void Incompressible<D>::complete_fields() {
   if (course_.steps == 0) return;
-  const Index fluids = particles_.fluids();
-  velocity_.resize(static_cast<std::size_t>(fluids));
-  for (Index i = 0; i < fluids; ++i)
-    velocity_[static_cast<std::size_t>(i)] = particles_.velocity(i);
-  show(velocity_);
+  show_velocities();
   show_pressure();
 }
 

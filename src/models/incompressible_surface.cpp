@@ -211,14 +211,9 @@ void Incompressible<D>::shift_particles(double time, double step) {
   const double limit = 0.1 * spacing();
   particles_.update_neighbours(time, 2 * step * highest_speed());
   const Index fluids = particles_.fluids();
-  velocity_.resize(static_cast<std::size_t>(fluids));
-#pragma omp parallel for schedule(static) if (parallel_from <= fluids)
-  for (Index i = 0; i < fluids; ++i)
-    velocity_[static_cast<std::size_t>(i)] = particles_.velocity(i);
-  show(velocity_);
+  show_velocities();
   Vectors& gains = velocity_;
-  std::vector<std::uint8_t>& moves = moves_;
-  moves.assign(gains.size(), 0);
+  moves_.assign(gains.size(), 0);
 #pragma omp parallel for schedule(dynamic, 256) if (parallel_from <= fluids)
   for (Index i = 0; i < fluids; ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -232,13 +227,13 @@ void Incompressible<D>::shift_particles(double time, double step) {
     if (shift.norm() > limit) shift *= limit / shift.norm();
     particles_.position(i) += shift;
     gains[k] = spread.velocity * spread.moment.inverse() * shift;
-    moves[k] = 1;
+    moves_[k] = 1;
   }
   Vec<D> mean = Vec<D>::Zero();
   for (const Vec<D>& gain : gains) mean += gain;
-  mean /= std::max<double>(1, static_cast<double>(std::ranges::count(moves, 1)));
+  mean /= std::max<double>(1, static_cast<double>(std::ranges::count(moves_, 1)));
   for (Index i = 0; i < fluids; ++i)
-    if (moves[static_cast<std::size_t>(i)] != 0)
+    if (moves_[static_cast<std::size_t>(i)] != 0)
       particles_.velocity(i) += gains[static_cast<std::size_t>(i)] - mean;
 }
 

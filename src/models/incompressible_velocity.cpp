@@ -10,12 +10,8 @@ template <int D>
 void Incompressible<D>::predict(double step) {
   const Index fluids = particles_.fluids();
   const double nu = options_.kinematic_viscosity;
-  velocity_.resize(static_cast<std::size_t>(fluids));
   before_.assign(static_cast<std::size_t>(fluids), 0);
-#pragma omp parallel for schedule(static) if (parallel_from <= fluids)
-  for (Index i = 0; i < fluids; ++i)
-    velocity_[static_cast<std::size_t>(i)] = particles_.velocity(i);
-  show(velocity_);
+  show_velocities();
 #pragma omp parallel for schedule(static) if (parallel_from <= fluids)
   for (Index i = 0; i < fluids; ++i) {
     const auto gradients = weights_.gradient(i);
@@ -57,6 +53,17 @@ void Incompressible<D>::show(const Vectors& velocities) {
 #pragma omp parallel for schedule(dynamic, 256) if (parallel_from <= particles_.count())
   for (Index i = fluids; i < particles_.count(); ++i) extrapolate_to(i);
   particles_.copy_to_images();
+}
+
+/// The same with the velocities that the particles have, which v becomes.
+template <int D>
+void Incompressible<D>::show_velocities() {
+  const Index fluids = particles_.fluids();
+  velocity_.resize(static_cast<std::size_t>(fluids));
+#pragma omp parallel for schedule(static) if (parallel_from <= fluids)
+  for (Index i = 0; i < fluids; ++i)
+    velocity_[static_cast<std::size_t>(i)] = particles_.velocity(i);
+  show(velocity_);
 }
 
 template <int D>
@@ -129,9 +136,7 @@ Vec<D> Incompressible<D>::gradient_of_pressure(Index i) const {
 template <int D>
 void Incompressible<D>::collide() {
   const Index fluids = particles_.fluids();
-  for (Index i = 0; i < fluids; ++i)
-    velocity_[static_cast<std::size_t>(i)] = particles_.velocity(i);
-  show(velocity_);
+  show_velocities();
   std::int64_t collisions = 0;
 #pragma omp parallel for schedule(static) reduction(+ : collisions) if (parallel_from <= fluids)
   for (Index i = 0; i < fluids; ++i) {
