@@ -1,7 +1,7 @@
 #include "mote/sums/cauchy.hpp"
 
-#include "mote/sums/laurent_expansion.hpp"
 #include "mote/sums/pair_shapes.hpp"
+#include "mote/sums/plane_fields.hpp"
 #include "mote/sums/tree_sum.hpp"
 
 namespace mote {
@@ -21,22 +21,6 @@ struct CauchyKernel {
   }
 };
 
-class FarCauchy {
- public:
-  explicit FarCauchy(double tolerance) : expansion_(tolerance, false) {}
-
-  const LaurentExpansion& expansion() const { return expansion_; }
-  void add(const double* taylor, double /*radius*/, const std::array<Lanes, 2>& place,
-           std::array<Lanes, 2>& sums) const {
-    const auto values = expansion_.values(taylor, place[0], place[1], false);
-    sums[0] += values.real;
-    sums[1] += values.imaginary;
-  }
-
- private:
-  LaurentExpansion expansion_;
-};
-
 /// Points of a leaf of the tree: the multipole method is fastest at some 64.
 constexpr Index leaf_capacity = 64;
 
@@ -49,7 +33,7 @@ std::span<const double> numbers(std::span<const Complex> values) {
 class Cauchy::Sum {
  public:
   explicit Sum(const SumSettings& settings)
-      : settings_(settings), tree_sum_(FarCauchy(settings.tolerance), leaf_capacity) {}
+      : settings_(settings), tree_sum_(PlaneCauchy(settings.tolerance), leaf_capacity) {}
 
   void evaluate(std::span<const Complex> targets, std::span<const Complex> sources,
                 std::span<const Complex> strengths, std::span<Complex> result) {
@@ -61,7 +45,7 @@ class Cauchy::Sum {
 
  private:
   SumSettings settings_;
-  TreeSum<CauchyKernel, FarCauchy> tree_sum_;
+  TreeSum<CauchyKernel, PlaneCauchy> tree_sum_;
 };
 
 Cauchy::Cauchy(const SumSettings& settings) : sum_(std::make_unique<Sum>(settings)) {}
