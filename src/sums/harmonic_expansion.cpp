@@ -1,96 +1,105 @@
 #include "mote/sums/harmonic_expansion.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace mote {
 namespace {
 
 using DegreeLanes = std::array<Lanes, 2 * highest_degree + 1>;
 
-/// Matrices along the axis take so many outputs at a time, of the cosines and of the sines.
-constexpr int outputs_at_once = 4;
-
-/// Coefficients of one order: those of the cosines, then those of the sines.
+/// Some outputs of an order, of degree l and above. Coefficients begin at the cosine of the lowest
+/// degree n = order, whose sine is that far behind; from degree n to n + 1 it is 2n + 1.
 template <int rows, bool sines>
-[[gnu::always_inline]] inline void inward_rows(const double* matrix, std::size_t row_length,
-                                               std::size_t degrees, const Lanes* in, Lanes* out) {
+[[gnu::always_inline]] inline void inward_rows(const double* matrix, std::size_t order,
+                                               std::size_t degrees, const Lanes* in, std::size_t l,
+                                               Lanes* out) {
   Lanes even[rows], odd[rows];
-  for (int l = 0; l < rows; ++l) {
-    even[l] = matrix[l] * in[0];
-    if constexpr (sines) odd[l] = matrix[l] * in[degrees];
+  for (int r = 0; r < rows; ++r) {
+    even[r] = matrix[r] * in[0];
+    if constexpr (sines) odd[r] = matrix[r] * in[order];
   }
-  for (std::size_t n = 1; n < degrees; ++n) {
-    matrix += row_length;
-    const Lanes c = in[n], s = sines ? in[degrees + n] : c;
+  for (std::size_t n = order + 1; n < order + degrees; ++n) {
+    in += 2 * n - 1;
+    matrix += HarmonicTables::row_length(static_cast<int>(order));
+    const Lanes c = in[0], s = in[sines ? n : 0];
 #pragma GCC unroll 8
-    for (int l = 0; l < rows; ++l) {
-      const Lanes factor = matrix[l];
-      even[l] += factor * c;
-      if constexpr (sines) odd[l] += factor * s;
+    for (int r = 0; r < rows; ++r) {
+      const Lanes factor = matrix[r];
+      even[r] += factor * c;
+      if constexpr (sines) odd[r] += factor * s;
     }
   }
-  for (int l = 0; l < rows; ++l) {
-    out[l] = even[l];
-    if constexpr (sines) out[static_cast<std::size_t>(l) + degrees] = odd[l];
+  for (int r = 0; r < rows; ++r, ++l) {
+    out[l * l + order] = even[r];
+    if constexpr (sines) out[l * l + l + order] = odd[r];
   }
 }
 
+template <bool sines, int... rows>
+[[gnu::always_inline]] inline void inward_some_rows(std::integer_sequence<int, rows...>,
+                                                    std::size_t count, const double* matrix,
+                                                    std::size_t order, std::size_t degrees,
+                                                    const Lanes* in, std::size_t l, Lanes* out) {
+  ((count == rows + 1 ? inward_rows<rows + 1, sines>(matrix, order, degrees, in, l, out) : void()),
+   ...);
+}
+
 template <bool sines>
-void inward_order(int order, std::size_t degrees, const Lanes* in, Lanes* out) {
-  const double* matrix = harmonic_tables().outward_to_inward(order);
-  const std::size_t row_length = HarmonicTables::row_length(order);
-  std::size_t l = 0;
-  for (; l + outputs_at_once <= degrees; l += outputs_at_once)
-    inward_rows<outputs_at_once, sines>(matrix + l, row_length, degrees, in, out + l);
-  for (; l + 2 <= degrees; l += 2)
-    inward_rows<2, sines>(matrix + l, row_length, degrees, in, out + l);
-  if (l < degrees) inward_rows<1, sines>(matrix + l, row_length, degrees, in, out + l);
+void inward_order(std::size_t order, std::size_t degrees, const Lanes* in, Lanes* __restrict out) {
+  const double* matrix = harmonic_tables().outward_to_inward(static_cast<int>(order));
+  const Lanes* first = in + order * order + order;
+  std::size_t rows = 0;
+  for (std::size_t i = 0; i < degrees; i += rows) {
+    const std::size_t left = degrees - i;
+    rows = left > 8 ? 6 : left > 6 ? 4 : left;
+    inward_some_rows<sines>(std::make_integer_sequence<int, 6>(), rows, matrix + i, order, degrees,
+                            first, order + i, out);
+  }
 }
 
 /// Multipole to local where the target is along +z, without powers of radii and distance.
 void turn_inward(int degree, const Lanes* in, Lanes* out) {
   inward_order<false>(0, degrees_of(degree, 0), in, out);
-  for (int m = 1; m <= degree; ++m) {
-    const std::size_t place = by_order(degree, m);
-    inward_order<true>(m, degrees_of(degree, m), in + place, out + place);
-  }
-}
-
-/// Calls part(matrix, row length, degrees, place) for the cosines and the sines of each order.
-template <class Part>
-void for_each_order(int degree, const Part& part) {
-  for (int m = 0; m <= degree; ++m) {
-    const double* matrix = harmonic_tables().change_of_centre(m);
-    const std::size_t degrees = degrees_of(degree, m), place = by_order(degree, m);
-    part(matrix, HarmonicTables::row_length(m), degrees, place);
-    if (m > 0) part(matrix, HarmonicTables::row_length(m), degrees, place + degrees);
-  }
+  for (int m = 1; m <= degree; ++m)
+    inward_order<true>(static_cast<std::size_t>(m), degrees_of(degree, m), in, out);
 }
 
 /// The centre of a multipole moves along -z: `powers` of the length that it moves.
-void move_multipole(int degree, const Lanes* powers, const Lanes* in, Lanes* out) {
-  for_each_order(degree, [&](const double* matrix, std::size_t row_length, std::size_t degrees,
-                             std::size_t place) {
-    for (std::size_t l = 0; l < degrees; ++l) {
-      Lanes sum = in[place + l];
-      for (std::size_t n = 0; n < l; ++n)
-        sum += matrix[n * row_length + l] * powers[l - n] * in[place + n];
-      out[place + l] = sum;
+void move_multipole(int degree, const Lanes* powers, const Lanes* in, Lanes* __restrict out) {
+  for (int m = 0; m <= degree; ++m) {
+    const double* matrix = harmonic_tables().change_of_centre(m);
+    for (int l = m; l <= degree; ++l) {
+      Lanes even = 0, odd = 0;
+      for (int n = m; n <= l; ++n) {
+        const Lanes factor =
+            matrix[static_cast<std::size_t>(n - m) * HarmonicTables::row_length(m) +
+                   static_cast<std::size_t>(l - m)] *
+            powers[l - n];
+        even += factor * in[cosine_place(n, m)];
+        odd += factor * in[sine_place(n, m)];
+      }
+      out[cosine_place(l, m)] = even;
+      if (m > 0) out[sine_place(l, m)] = odd;
     }
-  });
+  }
 }
 
 /// The centre of a local expansion moves along +z.
-void move_local(int degree, const Lanes* powers, const Lanes* in, Lanes* out) {
-  for_each_order(degree, [&](const double* matrix, std::size_t row_length, std::size_t degrees,
-                             std::size_t place) {
-    for (std::size_t n = 0; n < degrees; ++n) {
-      Lanes sum = in[place + n];
-      for (std::size_t l = n + 1; l < degrees; ++l)
-        sum += matrix[n * row_length + l] * powers[l - n] * in[place + l];
-      out[place + n] = sum;
+void move_local(int degree, const Lanes* powers, const Lanes* in, Lanes* __restrict out) {
+  for (int m = 0; m <= degree; ++m)
+    for (int n = m; n <= degree; ++n) {
+      const double* row = harmonic_tables().change_of_centre(m) +
+                          static_cast<std::size_t>(n - m) * HarmonicTables::row_length(m);
+      Lanes even = 0, odd = 0;
+      for (int l = n; l <= degree; ++l) {
+        const Lanes factor = row[l - m] * powers[l - n];
+        even += factor * in[cosine_place(l, m)];
+        odd += factor * in[sine_place(l, m)];
+      }
+      out[cosine_place(n, m)] = even;
+      if (m > 0) out[sine_place(n, m)] = odd;
     }
-  });
 }
 
 /// 0 where the divisor is: the power 0 of it is all that counts then.
@@ -143,49 +152,29 @@ void HarmonicExpansion::add_sums(int degree, double* coefficients) {
       coefficients[place_of(c) + i] += sum_of(sums_[place_of(c) + i]);
 }
 
-/// One component, in axes along its displacements and multiplied by powers of `ratio`.
+/// One component, multiplied by powers of `ratio`, in axes along the displacements.
 void HarmonicExpansion::turn_in(const Batch& batch, int component, const Lanes& ratio) {
-  DegreeLanes gathered, turned;
+  DegreeLanes gathered;
   Lanes power = 1;
   for (int n = 0; n <= batch.degree; ++n) {
-    const std::size_t first = place_of(component) + cosine_place(n, 0);
+    const std::size_t place = cosine_place(n, 0), first = place_of(component) + place;
     for (std::size_t i = 0; i < 2 * static_cast<std::size_t>(n) + 1; ++i)
-      gathered[i] = Lanes([&](auto lane) { return batch.coefficients[lane][first + i]; });
-    turn_to_axis(n, turn_, gathered.data(), turned.data());
-    for (int m = 0; m <= n; ++m) {
-      Lanes* to = &along_axis_[by_order(batch.degree, m) + static_cast<std::size_t>(n - m)];
-      to[0] = power * turned[static_cast<std::size_t>(m)];
-      if (m > 0) to[degrees_of(batch.degree, m)] = power * turned[static_cast<std::size_t>(n + m)];
-    }
+      gathered[i] = power * Lanes([&](auto lane) { return batch.coefficients[lane][first + i]; });
+    turn_to_axis(n, turn_, gathered.data(), &along_axis_[place]);
     power *= ratio;
   }
 }
 
-/// Calls add(place, lanes) for every coefficient, in the axes of the coordinates and multiplied by
-/// `first` and powers of `ratio`.
-template <class Add>
-void HarmonicExpansion::turn_out(int degree, int component, const Lanes& first, const Lanes& ratio,
-                                 const Add& add) {
-  DegreeLanes gathered, turned;
+/// Adds one component to the sums, in the axes of the coordinates, multiplied by `first` and powers
+/// of `ratio`.
+void HarmonicExpansion::turn_out(int degree, int component, const Lanes& first,
+                                 const Lanes& ratio) {
   Lanes power = first;
   for (int l = 0; l <= degree; ++l) {
-    for (int m = 0; m <= l; ++m) {
-      const Lanes* from = &translated_[by_order(degree, m) + static_cast<std::size_t>(l - m)];
-      gathered[static_cast<std::size_t>(m)] = from[0];
-      if (m > 0) gathered[static_cast<std::size_t>(l + m)] = from[degrees_of(degree, m)];
-    }
-    turn_from_axis(l, turn_, gathered.data(), turned.data());
-    const std::size_t place = place_of(component) + cosine_place(l, 0);
-    for (std::size_t i = 0; i < 2 * static_cast<std::size_t>(l) + 1; ++i)
-      add(place + i, power * turned[i]);
+    const std::size_t place = cosine_place(l, 0);
+    add_turned_from_axis(l, turn_, power, &translated_[place], &sums_[place_of(component) + place]);
     power *= ratio;
   }
-}
-
-void HarmonicExpansion::add_to_sums(int degree, int component, const Lanes& first,
-                                    const Lanes& ratio) {
-  turn_out(degree, component, first, ratio,
-           [&](std::size_t place, const Lanes& value) { sums_[place] += value; });
 }
 
 void HarmonicExpansion::prepare_powers(const Lanes& ratio) {
@@ -230,7 +219,7 @@ void HarmonicExpansion::translate_batch(const Batch& batch, const Lanes& target_
   for (int c = 0; c < components_; ++c) {
     turn_in(batch, c, batch.radius / turn_.distance);
     turn_inward(batch.degree, along_axis_.data(), translated_.data());
-    add_to_sums(batch.degree, c, batch.strength / turn_.distance, target_radius / turn_.distance);
+    turn_out(batch.degree, c, batch.strength / turn_.distance, target_radius / turn_.distance);
   }
 }
 
@@ -251,7 +240,7 @@ void HarmonicExpansion::shift_up(std::span<const ChildMultipole> children, const
     for (int c = 0; c < components_; ++c) {
       turn_in(batch, c, ratio_of(batch.radius, parent.radius));
       move_multipole(degree_, powers_.data(), along_axis_.data(), translated_.data());
-      add_to_sums(degree_, c, batch.strength, 1);
+      turn_out(degree_, c, batch.strength, 1);
     }
   }
   add_sums(degree_, multipole);
@@ -268,17 +257,17 @@ void HarmonicExpansion::shift_down(const double* local, const NodeBall& parent,
       batch.put(lane, local, difference(ball.centre, parent.centre), ball.radius);
     }
     batch.fill_from(count);
+    clear_sums(degree_);
     turn_.prepare(degree_, batch.displacement);
     prepare_powers(turn_.distance / parent.radius);
     for (int c = 0; c < components_; ++c) {
       turn_in(batch, c, 1);
       move_local(degree_, powers_.data(), along_axis_.data(), translated_.data());
-      turn_out(degree_, c, 1, batch.radius / parent.radius,
-               [&](std::size_t place, const Lanes& value) {
-                 for (std::size_t lane = 0; lane < count; ++lane)
-                   children[first + lane].local[place] += value[lane];
-               });
+      turn_out(degree_, c, 1, batch.radius / parent.radius);
     }
+    for (std::size_t lane = 0; lane < count; ++lane)
+      for (std::size_t i = 0; i < sums_.size(); ++i)
+        children[first + lane].local[i] += sums_[i][lane];
   }
 }
 

@@ -82,9 +82,7 @@ class HarmonicExpansion {
   void sort_by_degree(std::span<const DistantSource> sources);
   void translate_batch(const Batch& batch, const Lanes& target_radius);
   void turn_in(const Batch& batch, int component, const Lanes& ratio);
-  template <class Add>
-  void turn_out(int degree, int component, const Lanes& first, const Lanes& ratio, const Add& add);
-  void add_to_sums(int degree, int component, const Lanes& first, const Lanes& ratio);
+  void turn_out(int degree, int component, const Lanes& first, const Lanes& ratio);
   void clear_sums(int degree);
   void add_sums(int degree, double* coefficients);
   void prepare_powers(const Lanes& ratio);
@@ -92,7 +90,7 @@ class HarmonicExpansion {
   int degree_, components_;
   AxisTurn turn_;
   std::vector<std::uint32_t> order_;            ///< sources by falling degree
-  std::vector<Lanes> along_axis_, translated_;  ///< of one component, order by order
+  std::vector<Lanes> along_axis_, translated_;  ///< of one component
   std::vector<Lanes> sums_;                     ///< what eight sources at a time gave to the target
   std::array<Lanes, highest_degree + 1> powers_;
 };

@@ -10,12 +10,12 @@ namespace simd = std::experimental;
 /// Degrees that have code of their own, without loops; it gives the same bits.
 constexpr int unrolled_degrees = 16;
 
-using DegreeStage = void (*)(const double* constants, const Lanes* in, Lanes* out);
+using DegreeLanes = std::array<Lanes, 2 * highest_degree + 1>;
 
 /// out_m = sum_k matrix_km in_k for `rows` of the outputs; every second place is meant.
 template <int rows>
 [[gnu::always_inline]] inline void product(const double* matrix, int row_length, int inputs,
-                                           const Lanes* in, Lanes* out) {
+                                           const Lanes* in, Lanes* __restrict out) {
   Lanes sums[rows];
 #pragma GCC unroll 32
   for (int m = 0; m < rows; ++m) sums[m] = matrix[m] * in[0];
@@ -41,21 +41,15 @@ template <int degree, int number>
 }
 
 template <int degree>
-void exchange_unrolled(const double* matrix, const Lanes* in, Lanes* out) {
+[[gnu::always_inline]] inline void exchange(const double* matrix, const Lanes* in,
+                                            Lanes* __restrict out) {
   exchange_part<degree, 0>(matrix, in, out);
   exchange_part<degree, 1>(matrix, in, out);
   exchange_part<degree, 2>(matrix, in, out);
   exchange_part<degree, 3>(matrix, in, out);
 }
 
-template <int... degrees>
-constexpr std::array<DegreeStage, sizeof...(degrees)> stages(
-    std::integer_sequence<int, degrees...>) {
-  return {&exchange_unrolled<degrees>...};
-}
-constexpr auto unrolled = stages(std::make_integer_sequence<int, unrolled_degrees + 1>());
-
-void exchange_by_loops(int degree, const double* matrix, const Lanes* in, Lanes* out) {
+void exchange_by_loops(int degree, const double* matrix, const Lanes* in, Lanes* __restrict out) {
   for (int number = 0; number < 4; ++number) {
     const ExchangeBlock block = exchange_block(degree, number);
     const Lanes* from = in + block.first_input;
@@ -71,17 +65,11 @@ void exchange_by_loops(int degree, const double* matrix, const Lanes* in, Lanes*
   }
 }
 
-void exchange(int degree, const Lanes* in, Lanes* out) {
-  const double* matrix = harmonic_tables().exchange(degree);
-  if (degree <= unrolled_degrees)
-    unrolled[static_cast<std::size_t>(degree)](matrix, in, out);
-  else
-    exchange_by_loops(degree, matrix, in, out);
-}
-
 /// The axes turned about z by an angle.
-void turn(int degree, const Phases& phases, const Lanes* in, Lanes* out) {
+[[gnu::always_inline]] inline void turn(int degree, const Phases& phases, const Lanes* in,
+                                        Lanes* __restrict out) {
   out[0] = in[0];
+#pragma GCC unroll 32
   for (int m = 1; m <= degree; ++m) {
     const Lanes c = phases.cosine(m), s = phases.sine(m), even = in[m], odd = in[degree + m];
     out[m] = c * even + s * odd;
@@ -89,8 +77,10 @@ void turn(int degree, const Phases& phases, const Lanes* in, Lanes* out) {
   }
 }
 
-void turn_back(int degree, const Phases& phases, const Lanes* in, Lanes* out) {
+[[gnu::always_inline]] inline void turn_back(int degree, const Phases& phases, const Lanes* in,
+                                             Lanes* __restrict out) {
   out[0] = in[0];
+#pragma GCC unroll 32
   for (int m = 1; m <= degree; ++m) {
     const Lanes c = phases.cosine(m), s = phases.sine(m), even = in[m], odd = in[degree + m];
     out[m] = c * even - s * odd;
@@ -98,7 +88,44 @@ void turn_back(int degree, const Phases& phases, const Lanes* in, Lanes* out) {
   }
 }
 
-using DegreeLanes = std::array<Lanes, 2 * highest_degree + 1>;
+using Turn = void (*)(const double* matrix, const AxisTurn& axis, const Lanes* in, Lanes* out);
+using TurnBack = void (*)(const double* matrix, const AxisTurn& axis, const Lanes& factor,
+                          const Lanes* in, Lanes* sums);
+
+template <int degree>
+void to_axis(const double* matrix, const AxisTurn& axis, const Lanes* in, Lanes* __restrict out) {
+  Lanes first[2 * degree + 1], second[2 * degree + 1];
+  turn(degree, axis.azimuth, in, first);
+  exchange<degree>(matrix, first, second);
+  turn(degree, axis.polar, second, first);
+  exchange<degree>(matrix, first, out);
+}
+
+template <int degree>
+void from_axis(const double* matrix, const AxisTurn& axis, const Lanes& factor, const Lanes* in,
+               Lanes* __restrict sums) {
+  Lanes first[2 * degree + 1], second[2 * degree + 1];
+  exchange<degree>(matrix, in, first);
+  turn_back(degree, axis.polar, first, second);
+  exchange<degree>(matrix, second, first);
+  turn_back(degree, axis.azimuth, first, second);
+#pragma GCC unroll 64
+  for (int i = 0; i <= 2 * degree; ++i) sums[i] += factor * second[i];
+}
+
+template <int... degrees>
+constexpr std::array<Turn, sizeof...(degrees)> turns_to_axis(
+    std::integer_sequence<int, degrees...>) {
+  return {&to_axis<degrees>...};
+}
+template <int... degrees>
+constexpr std::array<TurnBack, sizeof...(degrees)> turns_from_axis(
+    std::integer_sequence<int, degrees...>) {
+  return {&from_axis<degrees>...};
+}
+using UnrolledDegrees = std::make_integer_sequence<int, unrolled_degrees + 1>;
+constexpr auto unrolled_to_axis = turns_to_axis(UnrolledDegrees());
+constexpr auto unrolled_from_axis = turns_from_axis(UnrolledDegrees());
 
 }  // namespace
 
@@ -133,19 +160,27 @@ void AxisTurn::prepare(int degree, const std::array<Lanes, 3>& displacement) {
 }
 
 void turn_to_axis(int degree, const AxisTurn& axis, const Lanes* coefficients, Lanes* turned) {
+  const double* matrix = harmonic_tables().exchange(degree);
+  if (degree <= unrolled_degrees)
+    return unrolled_to_axis[static_cast<std::size_t>(degree)](matrix, axis, coefficients, turned);
   DegreeLanes first, second;
   turn(degree, axis.azimuth, coefficients, first.data());
-  exchange(degree, first.data(), second.data());
+  exchange_by_loops(degree, matrix, first.data(), second.data());
   turn(degree, axis.polar, second.data(), first.data());
-  exchange(degree, first.data(), turned);
+  exchange_by_loops(degree, matrix, first.data(), turned);
 }
 
-void turn_from_axis(int degree, const AxisTurn& axis, const Lanes* turned, Lanes* coefficients) {
+void add_turned_from_axis(int degree, const AxisTurn& axis, const Lanes& factor,
+                          const Lanes* turned, Lanes* sums) {
+  const double* matrix = harmonic_tables().exchange(degree);
+  if (degree <= unrolled_degrees)
+    return unrolled_from_axis[static_cast<std::size_t>(degree)](matrix, axis, factor, turned, sums);
   DegreeLanes first, second;
-  exchange(degree, turned, first.data());
+  exchange_by_loops(degree, matrix, turned, first.data());
   turn_back(degree, axis.polar, first.data(), second.data());
-  exchange(degree, second.data(), first.data());
-  turn_back(degree, axis.azimuth, first.data(), coefficients);
+  exchange_by_loops(degree, matrix, second.data(), first.data());
+  turn_back(degree, axis.azimuth, first.data(), second.data());
+  for (int i = 0; i <= 2 * degree; ++i) sums[i] += factor * second[static_cast<std::size_t>(i)];
 }
 
 }  // namespace mote

@@ -29,10 +29,12 @@ struct AxisTurn {
   void prepare(int degree, const std::array<Lanes, 3>& displacement);
 };
 
-/// Coefficients of one degree n (2n + 1 numbers) in the axes after the turn, and back. Rotations
-/// about x are done as rotations about z with x and z exchanged before and after, so all but phases
-/// is constant (Dehnen 2014, A fast multipole method for stellar dynamics, section 3.3).
+/// Coefficients of one degree n (2n + 1 numbers) in the axes after the turn. Rotations about x are
+/// done as rotations about z with x and z exchanged before and after, so all but phases is constant
+/// (Dehnen 2014, A fast multipole method for stellar dynamics, section 3.3).
 void turn_to_axis(int degree, const AxisTurn& turn, const Lanes* coefficients, Lanes* turned);
-void turn_from_axis(int degree, const AxisTurn& turn, const Lanes* turned, Lanes* coefficients);
+/// Adds `factor` times the coefficients in the axes before the turn.
+void add_turned_from_axis(int degree, const AxisTurn& turn, const Lanes& factor,
+                          const Lanes* turned, Lanes* sums);
 
 }  // namespace mote
