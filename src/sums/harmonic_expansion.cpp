@@ -46,8 +46,8 @@ template <bool sines, int... rows>
 }
 
 template <bool sines>
-void inward_order(std::size_t order, std::size_t degrees, const Lanes* in, Lanes* __restrict out) {
-  const double* matrix = harmonic_tables().outward_to_inward(static_cast<int>(order));
+void inward_order(const double* matrix, std::size_t order, std::size_t degrees, const Lanes* in,
+                  Lanes* __restrict out) {
   const Lanes* first = in + order * order + order;
   std::size_t rows = 0;
   for (std::size_t i = 0; i < degrees; i += rows) {
@@ -60,9 +60,11 @@ void inward_order(std::size_t order, std::size_t degrees, const Lanes* in, Lanes
 
 /// Multipole to local where the target is along +z, without powers of radii and distance.
 void turn_inward(int degree, const Lanes* in, Lanes* out) {
-  inward_order<false>(0, degrees_of(degree, 0), in, out);
+  const HarmonicTables& tables = harmonic_tables();
+  inward_order<false>(tables.outward_to_inward(0), 0, degrees_of(degree, 0), in, out);
   for (int m = 1; m <= degree; ++m)
-    inward_order<true>(static_cast<std::size_t>(m), degrees_of(degree, m), in, out);
+    inward_order<true>(tables.outward_to_inward(m), static_cast<std::size_t>(m),
+                       degrees_of(degree, m), in, out);
 }
 
 /// The centre of a multipole moves along -z: `powers` of the length that it moves.

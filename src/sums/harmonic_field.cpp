@@ -51,10 +51,9 @@ std::array<Lanes, 3> in_units_of(const NodeBall& ball, const std::array<Lanes, 3
 /// once (see HarmonicTables::rise).
 template <int functions, bool sines>
 [[gnu::always_inline]] inline void sum_order(const std::array<double, functions>* coefficients,
-                                             int order, std::size_t degrees, const Lanes& z,
+                                             const double* rise, const double* fall,
+                                             std::size_t degrees, const Lanes& z,
                                              const Lanes& squared, Lanes* even, Lanes* odd) {
-  const double* rise = harmonic_tables().rise(order);
-  const double* fall = harmonic_tables().fall(order);
   Lanes last = 0, value = 1;
   for (std::size_t i = 0; i < degrees; ++i) {
     for (std::size_t f = 0; f < functions; ++f) {
@@ -94,20 +93,21 @@ void HarmonicFunctions<functions>::put(int number, int degree, const double* exp
 template <int functions>
 std::array<Lanes, functions> HarmonicFunctions<functions>::at(
     const std::array<Lanes, 3>& place) const {
+  const HarmonicTables& tables = harmonic_tables();
   const auto& [x, y, z] = place;
   const Lanes squared = x * x + y * y + z * z;
   std::array<Lanes, functions> sums{};
-  sum_order<functions, false>(coefficients_.data(), 0, degrees_of(degree_, 0), z, squared,
-                              sums.data(), nullptr);
+  sum_order<functions, false>(coefficients_.data(), tables.rise(0), tables.fall(0),
+                              degrees_of(degree_, 0), z, squared, sums.data(), nullptr);
   Lanes cosine = 1, sine = 0;
   for (int m = 1; m <= degree_; ++m) {
-    const double first = harmonic_tables().first(m);
+    const double first = tables.first(m);
     const Lanes turned = first * (x * cosine - y * sine);
     sine = first * (y * cosine + x * sine);
     cosine = turned;
     std::array<Lanes, functions> even{}, odd{};
-    sum_order<functions, true>(&coefficients_[by_order(degree_, m)], m, degrees_of(degree_, m), z,
-                               squared, even.data(), odd.data());
+    sum_order<functions, true>(&coefficients_[by_order(degree_, m)], tables.rise(m), tables.fall(m),
+                               degrees_of(degree_, m), z, squared, even.data(), odd.data());
     for (std::size_t f = 0; f < functions; ++f) sums[f] += cosine * even[f] + sine * odd[f];
   }
   return sums;

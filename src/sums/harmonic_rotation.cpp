@@ -49,18 +49,25 @@ template <int degree>
   exchange_part<degree, 3>(matrix, in, out);
 }
 
+template <int... rows>
+[[gnu::always_inline]] inline void some_rows(std::integer_sequence<int, rows...>, int count,
+                                             const double* matrix, const ExchangeBlock& block,
+                                             const Lanes* in, Lanes* out) {
+  ((count == rows + 1 ? product<rows + 1>(matrix, block.outputs, block.inputs, in, out) : void()),
+   ...);
+}
+
 void exchange_by_loops(int degree, const double* matrix, const Lanes* in, Lanes* __restrict out) {
   for (int number = 0; number < 4; ++number) {
     const ExchangeBlock block = exchange_block(degree, number);
     const Lanes* from = in + block.first_input;
     Lanes* to = out + block.first_output;
-    int m = 0;
-    for (; m + 8 <= block.outputs; m += 8)
-      product<8>(matrix + m, block.outputs, block.inputs, from, to + 2 * m);
-    for (; m + 2 <= block.outputs; m += 2)
-      product<2>(matrix + m, block.outputs, block.inputs, from, to + 2 * m);
-    for (; m < block.outputs; ++m)
-      product<1>(matrix + m, block.outputs, block.inputs, from, to + 2 * m);
+    int rows = 0;
+    for (int m = 0; m < block.outputs; m += rows) {
+      const int left = block.outputs - m;
+      rows = left >= 16 || left == 8 ? 8 : left > 8 ? left / 2 : left;
+      some_rows(std::make_integer_sequence<int, 8>(), rows, matrix + m, block, from, to + 2 * m);
+    }
     matrix += block.inputs * block.outputs;
   }
 }
@@ -160,7 +167,7 @@ void AxisTurn::prepare(int degree, const std::array<Lanes, 3>& displacement) {
 }
 
 void turn_to_axis(int degree, const AxisTurn& axis, const Lanes* coefficients, Lanes* turned) {
-  const double* matrix = harmonic_tables().exchange(degree);
+  const double* matrix = axis.tables.exchange(degree);
   if (degree <= unrolled_degrees)
     return unrolled_to_axis[static_cast<std::size_t>(degree)](matrix, axis, coefficients, turned);
   DegreeLanes first, second;
@@ -172,7 +179,7 @@ void turn_to_axis(int degree, const AxisTurn& axis, const Lanes* coefficients, L
 
 void add_turned_from_axis(int degree, const AxisTurn& axis, const Lanes& factor,
                           const Lanes* turned, Lanes* sums) {
-  const double* matrix = harmonic_tables().exchange(degree);
+  const double* matrix = axis.tables.exchange(degree);
   if (degree <= unrolled_degrees)
     return unrolled_from_axis[static_cast<std::size_t>(degree)](matrix, axis, factor, turned, sums);
   DegreeLanes first, second;

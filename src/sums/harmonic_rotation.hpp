@@ -22,6 +22,7 @@ class Phases {
 /// Directions of eight displacements, and the turns of the axes by which each of them comes to lie
 /// along +z: about z until its x is 0, then about x.
 struct AxisTurn {
+  const HarmonicTables& tables = harmonic_tables();
   Phases azimuth, polar;
   Lanes distance;
 
