@@ -14,8 +14,9 @@ struct PairRatios {
 /// target, for sources of sum |m_j| = M anywhere in their ball, translated with all terms of degree
 /// `degree` of source and target:
 ///   (q^(p+1) + t^(p+1))/(1 - a - b),  q = a/(1 - b),  t = b/(1 - a).
-/// Rigorous, and nearly attained where source and target are the points nearest to each other: there
-/// the error is this less the terms counted twice. Points spread over their balls stay well below.
+/// Rigorous, and nearly attained where source and target are the points nearest to each other:
+/// there the error is this less the terms counted twice. Points spread over their balls stay well
+/// below.
 double potential_error_bound(const PairRatios& ratios, int degree);
 
 /// The same for the gradient of the potential, over M/distance^2.

@@ -155,8 +155,9 @@ void AxisTurn::prepare(int degree, const std::array<Lanes, 3>& displacement) {
   const Lanes from_axis_squared = x * x + y * y;
   // So near the axis that the root of the square would have lost digits, any azimuth is right.
   const auto on_axis = from_axis_squared < 1e-200;
+  const auto nowhere = on_axis && z == 0;
   Lanes from_axis = sqrt(from_axis_squared);
-  where(on_axis && z == 0, z) = 1;
+  where(nowhere, z) = 1;
   Lanes cosine = y / from_axis, sine = -x / from_axis;
   where(on_axis, cosine) = 1;
   where(on_axis, sine) = 0;
@@ -164,6 +165,7 @@ void AxisTurn::prepare(int degree, const std::array<Lanes, 3>& displacement) {
   const Lanes length = sqrt(from_axis_squared + z * z);
   polar.prepare(degree, z / length, from_axis / length);
   distance = length * scale;
+  where(nowhere, distance) = 0;
 }
 
 void turn_to_axis(int degree, const AxisTurn& axis, const Lanes* coefficients, Lanes* turned) {

@@ -26,7 +26,7 @@ struct AxisTurn {
   Phases azimuth, polar;
   Lanes distance;
 
-  /// A displacement of length 0 counts as one along z. Components may be of any magnitude.
+  /// One of length 0 has the direction of z. Components may be of any magnitude.
   void prepare(int degree, const std::array<Lanes, 3>& displacement);
 };
 
