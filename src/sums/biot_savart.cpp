@@ -3,7 +3,9 @@
 #include <numbers>
 
 #include "mote/sums/biot_savart_kernels.hpp"
-#include "mote/sums/direct_sum.hpp"
+#include "mote/sums/pair_sum.hpp"
+#include "mote/sums/plane_fields.hpp"
+#include "mote/sums/space_fields.hpp"
 #include "mote/sums/sum_checks.hpp"
 
 namespace mote {
@@ -14,9 +16,9 @@ class BiotSavart<D>::Sum {
  public:
   virtual ~Sum() = default;
 
-  static std::unique_ptr<Sum> of(std::string_view core) {
+  static std::unique_ptr<Sum> of(const SumSettings& settings, std::string_view core) {
     std::unique_ptr<Sum> sum;
-    visit_shape<D>(core, [&]<class Shape>() { sum = std::make_unique<OfShape<Shape>>(); });
+    visit_shape<D>(core, [&]<class Shape>() { sum = std::make_unique<OfShape<Shape>>(settings); });
     return sum;
   }
 
@@ -33,30 +35,40 @@ template <int D>
 template <class Shape>
 class BiotSavart<D>::Sum::OfShape final : public BiotSavart<D>::Sum {
  public:
+  explicit OfShape(const SumSettings& settings)
+      : tolerance_(settings.tolerance),
+        pairs_(settings.method, [&] { return expansion(settings.tolerance); }) {}
+
   void form(std::span<const double> targets, const Sources<D>& sources,
             const VelocityField& result) override {
     constexpr double scale = 1 / ((D == 2 ? 2 : 4) * std::numbers::pi);
     const auto shape = Shape::of_size(sources.core_size);
-    direct_.place(targets, sources, scale);
+    pairs_.place(targets, sources, scale);
     if (result.gradient.empty()) {
-      direct_.sums(VortexKernel<Shape, false>{shape}).give(0, D, result.velocity);
+      pairs_.form(VortexKernel<Shape, false>{shape}, shape.reach(tolerance_));
     } else {
-      const auto& sums = direct_.sums(VortexKernel<Shape, true>{shape});
-      sums.give(0, D, result.velocity);
-      sums.give(D, D * D, result.gradient);
+      pairs_.form(VortexKernel<Shape, true>{shape}, shape.reach(tolerance_));
+      pairs_.give(D, D * D, result.gradient);
     }
+    pairs_.give(0, D, result.velocity);
   }
 
   bool is_of_points() const override { return !Shape::has_size; }
 
  private:
-  DirectSum<D> direct_;
+  static FarExpansion<D> expansion(double tolerance) {
+    if constexpr (D == 2) return LaurentExpansion(tolerance, false);
+    if constexpr (D == 3) return SpaceExpansion(tolerance, 3);
+  }
+
+  double tolerance_;
+  PairSum<D> pairs_;
 };
 
 template <int D>
 BiotSavart<D>::BiotSavart(const SumSettings& settings, std::string_view core) {
   check_settings(settings, "biot_savart");
-  sum_ = Sum::of(core);
+  sum_ = Sum::of(settings, core);
 }
 
 template <int D>

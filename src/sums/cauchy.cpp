@@ -1,8 +1,8 @@
 #include "mote/sums/cauchy.hpp"
 
 #include "mote/sums/pair_shapes.hpp"
-#include "mote/sums/plane_fields.hpp"
-#include "mote/sums/tree_sum.hpp"
+#include "mote/sums/pair_sum.hpp"
+#include "mote/sums/sum_checks.hpp"
 
 namespace mote {
 namespace {
@@ -15,14 +15,11 @@ struct CauchyKernel {
                                   const std::array<double, 2>& strength,
                                   std::array<Lanes, 2>& sums) const {
     const auto& [x, y] = difference;
-    const Lanes inverse = PointShape<2>::influence(x * x + y * y);
+    const Lanes inverse = PointShape<2>::influence(square_of<2>(difference));
     sums[0] += (strength[0] * x + strength[1] * y) * inverse;
     sums[1] += (strength[1] * x - strength[0] * y) * inverse;
   }
 };
-
-/// Points of a leaf of the tree: the multipole method is fastest at some 64.
-constexpr Index leaf_capacity = 64;
 
 std::span<const double> numbers(std::span<const Complex> values) {
   return {reinterpret_cast<const double*>(values.data()), 2 * values.size()};
@@ -30,22 +27,40 @@ std::span<const double> numbers(std::span<const Complex> values) {
 
 }  // namespace
 
-class Cauchy::Sum {
+template <>
+class FarField<CauchyKernel> {
  public:
-  explicit Sum(const SumSettings& settings)
-      : settings_(settings), tree_sum_(PlaneCauchy(settings.tolerance), leaf_capacity) {}
+  FarField(const LaurentExpansion& expansion, const double* taylor, double radius)
+      : expansion_(expansion), taylor_(taylor), radius_(radius) {}
 
-  void evaluate(std::span<const Complex> targets, std::span<const Complex> sources,
-                std::span<const Complex> strengths, std::span<Complex> result) {
-    tree_sum_.evaluate(CauchyKernel(), 0, numbers(targets), numbers(sources), numbers(strengths),
-                       [&](std::size_t i, const std::array<double, 2>& value) {
-                         result[i] = {value[0], value[1]};
-                       });
+  void add(const std::array<Lanes, 2>& offset, std::array<Lanes, 2>& sums) const {
+    const auto values =
+        expansion_.values(taylor_, offset[0] / radius_, offset[1] / radius_, false);
+    sums[0] += values.real;
+    sums[1] += values.imaginary;
   }
 
  private:
-  SumSettings settings_;
-  TreeSum<CauchyKernel, PlaneCauchy> tree_sum_;
+  const LaurentExpansion& expansion_;
+  const double* taylor_;
+  double radius_;
+};
+
+class Cauchy::Sum {
+ public:
+  explicit Sum(const SumSettings& settings)
+      : settings(settings),
+        pairs(settings.method, [&] { return LaurentExpansion(settings.tolerance, false); }) {}
+
+  void form(std::span<const Complex> targets, std::span<const Complex> sources,
+            std::span<const Complex> strengths, std::span<Complex> result) {
+    pairs.place(numbers(targets), {numbers(sources), numbers(strengths)});
+    pairs.form(CauchyKernel());
+    pairs.give(0, 2, {reinterpret_cast<double*>(result.data()), 2 * result.size()});
+  }
+
+  SumSettings settings;
+  PairSum<2> pairs;
 };
 
 Cauchy::Cauchy(const SumSettings& settings) : sum_(std::make_unique<Sum>(settings)) {}
@@ -53,12 +68,12 @@ Cauchy::~Cauchy() = default;
 
 void Cauchy::at_sources(std::span<const Complex> points, std::span<const Complex> strengths,
                         std::span<Complex> result) {
-  sum_->evaluate({}, points, strengths, result);
+  sum_->form(points, points, strengths, result);
 }
 
 void Cauchy::at(std::span<const Complex> targets, std::span<const Complex> sources,
                 std::span<const Complex> strengths, std::span<Complex> result) {
-  if (!targets.empty()) sum_->evaluate(targets, sources, strengths, result);
+  sum_->form(targets, sources, strengths, result);
 }
 
 }  // namespace mote

@@ -18,9 +18,9 @@ class DirectSum {
     strengths_.take(sources.strength, count == 0 ? 1 : int(sources.strength.size() / count), scale);
   }
 
-  /// The kernel's outputs, a column each. Every target has one writer, and sources come in order.
+  /// Forms a kernel's outputs at the targets. Each has one writer, and sources come in order.
   template <PairKernel K>
-  const NumberColumns& sums(const K& kernel) {
+  void form(const K& kernel) {
     outputs_.clear(targets_.rows(), K::outputs);
     TargetColumns<K> targets;
     SourceColumns<K> sources;
@@ -38,7 +38,11 @@ class DirectSum {
       add_pairs<K>(kernel, targets, {first, std::min(first + targets_at_once, count)}, sources,
                    {0, all}, outputs);
     }
-    return outputs_;
+  }
+
+  /// `columns` of the outputs from `first` on, in the order of the targets.
+  void give(int first, int columns, std::span<double> rows) const {
+    outputs_.give(first, columns, rows);
   }
 
  private:

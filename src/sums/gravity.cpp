@@ -1,7 +1,9 @@
 #include "mote/sums/gravity.hpp"
 
-#include "mote/sums/direct_sum.hpp"
 #include "mote/sums/gravity_kernels.hpp"
+#include "mote/sums/pair_sum.hpp"
+#include "mote/sums/plane_fields.hpp"
+#include "mote/sums/space_fields.hpp"
 #include "mote/sums/sum_checks.hpp"
 
 namespace mote {
@@ -12,9 +14,9 @@ class Gravity<D>::Sum {
  public:
   virtual ~Sum() = default;
 
-  static std::unique_ptr<Sum> of(std::string_view core) {
+  static std::unique_ptr<Sum> of(const SumSettings& settings, std::string_view core) {
     std::unique_ptr<Sum> sum;
-    visit_shape<D>(core, [&]<class Shape>() { sum = std::make_unique<OfShape<Shape>>(); });
+    visit_shape<D>(core, [&]<class Shape>() { sum = std::make_unique<OfShape<Shape>>(settings); });
     return sum;
   }
 
@@ -34,17 +36,22 @@ template <int D>
 template <class Shape>
 class Gravity<D>::Sum::OfShape final : public Gravity<D>::Sum {
  public:
+  explicit OfShape(const SumSettings& settings)
+      : tolerance_(settings.tolerance),
+        pairs_(settings.method, [&] { return expansion(settings.tolerance); }) {}
+
   void form(std::span<const double> targets, const Sources<D>& sources,
             const GravityField& result) override {
-    const auto shape = Shape::of_size(sources.core_size);
-    direct_.place(targets, sources);
+    pairs_.place(targets, sources);
     if (result.potential.empty())
-      direct_.sums(GravityKernel<Shape, GravityPart::gradient>{shape}).give(0, D, result.gradient);
+      form_part<GravityPart::gradient>(sources.core_size);
     else if (result.gradient.empty())
-      direct_.sums(GravityKernel<Shape, GravityPart::potential>{shape})
-          .give(0, 1, result.potential);
+      form_part<GravityPart::potential>(sources.core_size);
     else
-      form_both(shape, result);
+      form_part<GravityPart::both>(sources.core_size);
+    const int before_gradient = result.potential.empty() ? 0 : 1;
+    if (!result.potential.empty()) pairs_.give(0, 1, result.potential);
+    if (!result.gradient.empty()) pairs_.give(before_gradient, D, result.gradient);
   }
 
   void take_own_part(const Sources<D>& sources, std::span<double> potential) const override {
@@ -56,19 +63,25 @@ class Gravity<D>::Sum::OfShape final : public Gravity<D>::Sum {
   bool is_of_points() const override { return !Shape::has_size; }
 
  private:
-  void form_both(const Shape& shape, const GravityField& result) {
-    const auto& sums = direct_.sums(GravityKernel<Shape, GravityPart::both>{shape});
-    sums.give(0, 1, result.potential);
-    sums.give(1, D, result.gradient);
+  static FarExpansion<D> expansion(double tolerance) {
+    if constexpr (D == 2) return LaurentExpansion(tolerance, true);
+    if constexpr (D == 3) return SpaceExpansion(tolerance, 1);
   }
 
-  DirectSum<D> direct_;
+  template <GravityPart Part>
+  void form_part(double core_size) {
+    const auto shape = Shape::of_size(core_size);
+    pairs_.form(GravityKernel<Shape, Part>{shape}, shape.reach(tolerance_));
+  }
+
+  double tolerance_;
+  PairSum<D> pairs_;
 };
 
 template <int D>
 Gravity<D>::Gravity(const SumSettings& settings, std::string_view core) {
   check_settings(settings, "gravity");
-  sum_ = Sum::of(core);
+  sum_ = Sum::of(settings, core);
 }
 
 template <int D>

@@ -14,27 +14,16 @@ using Complex = std::complex<double>;
 /// The largest ratio a/(d - b) at which pairs are far: nearer ones would cost more terms than they
 /// save pairs of points.
 constexpr double largest_ratio = 0.5;
-constexpr int ratio_steps = 512;
 constexpr std::size_t most_terms = 64;
 
 }  // namespace
 
 LaurentExpansion::LaurentExpansion(double tolerance, bool with_potential)
-    : with_potential_(with_potential) {
-  choose_degrees(tolerance);
-  stride_ = packs_for(static_cast<std::size_t>(degree_)) * lane_count;
+    : with_potential_(with_potential),
+      degrees_(tolerance, largest_ratio, most_terms),
+      degree_(static_cast<std::size_t>(degrees_.degree())),
+      stride_(packs_for(degree_) * lane_count) {
   fill_binomials();
-}
-
-void LaurentExpansion::choose_degrees(double tolerance) {
-  const auto terms = [&](double ratio) {
-    return static_cast<int>(std::ceil(std::log(tolerance) / std::log(ratio)));
-  };
-  degree_ = std::min(terms(largest_ratio), static_cast<int>(most_terms));
-  degree_by_ratio_.assign(ratio_steps + 1, static_cast<std::uint8_t>(degree_ + 1));
-  for (int step = 0; step + 1 <= ratio_steps * largest_ratio; ++step)
-    degree_by_ratio_[static_cast<std::size_t>(step)] = static_cast<std::uint8_t>(
-        std::min(degree_, std::max(2, terms((step + 1.0) / ratio_steps))));
 }
 
 void LaurentExpansion::fill_binomials() {
@@ -51,35 +40,26 @@ void LaurentExpansion::fill_binomials() {
       subsets_[k * stride_ + l] = lower_subsets_[l * stride_ + k] = sums_[k * stride_ + l - k];
 }
 
-int LaurentExpansion::degree_for(double a, double b, double d) const {
-  const double gap = d - a - b;
-  if (gap <= 0) return degree_ + 1;
-  const double larger = std::max(a, b);
-  const double ratio = larger / (gap + larger);
-  return degree_by_ratio_[static_cast<std::size_t>(ratio * ratio_steps)];
-}
-
 void LaurentExpansion::add_points(const PointTree<2>& tree, Index n,
-                                  std::span<const std::vector<double>> strengths,
+                                  std::span<const double* const> strengths,
                                   double* series) const {
   const TreeNode<2>& node = tree.node(n);
   const double scale = 1 / node.radius;
-  const auto degree = static_cast<std::size_t>(degree_);
   const auto end = static_cast<std::size_t>(node.points.end);
   std::array<ComplexLanes, most_terms> moments;
-  std::fill_n(moments.begin(), degree, ComplexLanes{0, 0});
+  std::fill_n(moments.begin(), degree_, ComplexLanes{0, 0});
   for (auto i = static_cast<std::size_t>(node.points.begin); i < end; i += lane_count) {
     const auto in_node = [&](const Lanes& lanes) { return first_lanes(lanes, end - i); };
-    ComplexLanes term{in_node(load(&strengths[0][i])), 0};
-    if (strengths.size() > 1) term.imaginary = in_node(load(&strengths[1][i]));
+    ComplexLanes term{in_node(load(strengths[0] + i)), 0};
+    if (strengths.size() > 1) term.imaginary = in_node(load(strengths[1] + i));
     const ComplexLanes tau{in_node(load(&tree.positions()[0][i]) - node.centre[0]) * scale,
                            in_node(load(&tree.positions()[1][i]) - node.centre[1]) * scale};
-    for (std::size_t k = 0; k < degree; ++k, term *= tau) {
+    for (std::size_t k = 0; k < degree_; ++k, term *= tau) {
       moments[k].real += term.real;
       moments[k].imaginary += term.imaginary;
     }
   }
-  for (std::size_t k = 0; k < degree; ++k) {
+  for (std::size_t k = 0; k < degree_; ++k) {
     series[k] += sum_of(moments[k].real);
     series[stride_ + k] += sum_of(moments[k].imaginary);
   }
@@ -99,7 +79,7 @@ void LaurentExpansion::shift_one_up(const Child<2>& child, const TreeNode<2>& pa
   double* positive = power.data() + stride_;
   list_powers({delta[0], delta[1]}, stride_ / lane_count, 2 * stride_, positive);
   double factor = 1;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(degree_);
+  for (std::size_t k = 0; k < degree_;
        ++k, factor *= child.node.radius / parent.radius) {
     const Lanes real = factor * child.series[k], imaginary = factor * child.series[stride_ + k];
     for (std::size_t l = k / lane_count * lane_count; l < stride_; l += lane_count) {
@@ -218,7 +198,7 @@ void LaurentExpansion::shift_one_down(const TreeNode<2>& parent, const double* f
     reversed[2 * most_terms + stride_ - 1 - k] = power[most_terms + k];
   }
   std::array<double, 2 * most_terms> moved{};
-  for (std::size_t k = 0; k < static_cast<std::size_t>(degree_); ++k) {
+  for (std::size_t k = 0; k < degree_; ++k) {
     const Lanes real = from[k], imaginary = from[stride_ + k];
     for (std::size_t l = 0; l <= k; l += lane_count) {
       const double* back = &reversed[stride_ - 1 - k + l];
@@ -229,7 +209,7 @@ void LaurentExpansion::shift_one_down(const TreeNode<2>& parent, const double* f
     }
   }
   double factor = 1;
-  for (std::size_t l = 0; l < static_cast<std::size_t>(degree_);
+  for (std::size_t l = 0; l < degree_;
        ++l, factor *= child.node.radius / parent.radius) {
     child.series[l] += factor * moved[l];
     child.series[stride_ + l] += factor * moved[most_terms + l];
@@ -243,7 +223,7 @@ void LaurentExpansion::shift_integral(const Complex& delta, double radius, const
   double& constant = to[2 * stride_];
   constant += from[2 * stride_];
   Complex power = radius * delta;
-  for (std::size_t l = 0; l < static_cast<std::size_t>(degree_); ++l, power *= delta)
+  for (std::size_t l = 0; l < degree_; ++l, power *= delta)
     constant +=
         (from[l] * power.real() - from[stride_ + l] * power.imag()) / static_cast<double>(l + 1);
 }
@@ -252,7 +232,7 @@ LaurentExpansion::Values LaurentExpansion::values(const double* taylor, const La
                                                   const Lanes& y, bool with_slope) const {
   const ComplexLanes zeta{x, y};
   ComplexLanes f{0, 0}, slope{0, 0}, integral{0, 0};
-  for (auto l = static_cast<std::size_t>(degree_); l-- > 0;) {
+  for (std::size_t l = degree_; l-- > 0;) {
     if (with_slope) {
       slope *= zeta;
       slope.real += f.real;

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <complex>
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "mote/operators/differential/lanes.hpp"
+#include "mote/sums/degree_by_ratio.hpp"
 #include "mote/sums/far_pairs.hpp"
 #include "mote/sums/point_tree.hpp"
 
@@ -33,13 +33,14 @@ class LaurentExpansion {
 
   /// The terms that a pair of nodes of radii a and b, d apart, needs; more than `degree()` if they
   /// are too near for any expansion.
-  int degree_for(double a, double b, double d) const;
-  int degree() const { return degree_; }
+  int degree_for(double a, double b, double d) const { return degrees_(a, b, d); }
+  int degree() const { return degrees_.degree(); }
+  void make_room_for_threads() {}
 
   /// Adds points to a node's Laurent series: strengths are a column, or a real and an imaginary
   /// one.
   void add_points(const PointTree<2>& tree, Index node,
-                  std::span<const std::vector<double>> strengths, double* series) const;
+                  std::span<const double* const> strengths, double* series) const;
   /// Adds the Laurent series of children to their parent's.
   void shift_up(std::span<const Child<2>> children, const TreeNode<2>& parent, double* to) const;
   /// Adds the Taylor series of far nodes about a target node.
@@ -57,7 +58,6 @@ class LaurentExpansion {
   double constant(const double* taylor) const { return taylor[2 * stride_]; }
 
  private:
-  void choose_degrees(double tolerance);
   void fill_binomials();
   void shift_one_up(const Child<2>& child, const TreeNode<2>& parent, double* to) const;
   void shift_one_down(const TreeNode<2>& parent, const double* from, const Child<2>& child) const;
@@ -72,9 +72,9 @@ class LaurentExpansion {
   double potential_of(const FarPair<2>& pair, const std::complex<double>& ratio) const;
 
   bool with_potential_;
-  int degree_ = 0;          ///< terms of the longest expansions
-  std::size_t stride_ = 0;  ///< the same, filled up to packs of lanes
-  std::vector<std::uint8_t> degree_by_ratio_;
+  DegreeByRatio degrees_;
+  std::size_t degree_;  ///< terms of the longest expansions
+  std::size_t stride_;  ///< the same, filled up to packs of lanes
   std::vector<double> sums_;           ///< C(k + l, k): a column of `stride_` for every k
   std::vector<double> subsets_;        ///< C(l, k), columns as above
   std::vector<double> lower_subsets_;  ///< C(k, l), likewise

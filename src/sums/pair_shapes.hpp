@@ -10,7 +10,8 @@ namespace mote {
 /// How the field of one source depends on the distance, for eight targets at a time:
 ///   influence        q/r^D,
 ///   influence_slope  (1/r) d(q/r^D)/dr,
-///   potential        2D: ln r, 3D: 1/r, or what takes their place within a core.
+///   potential        2D: ln r, 3D: 1/r, or what takes their place within a core,
+///   reach            the distance beyond which it is a point's to within a tolerance.
 
 /// A point, q = 1. On its own place it does nothing.
 template <int D>
@@ -18,6 +19,7 @@ struct PointShape {
   static constexpr int dimension = D;
   static constexpr bool has_size = false;
   static PointShape of_size(double) { return {}; }
+  static double reach(double) { return 0; }
 
   [[gnu::always_inline]] static Lanes influence(const Lanes& r_squared) {
     const Lanes inverse = inverse_square(r_squared);
@@ -50,9 +52,12 @@ struct BlobShape {
   static BlobShape of_size(double size) { return BlobShape(size); }
 
   explicit BlobShape(double size)
-      : per_square_(1 / (size * size)),
+      : size_(size),
+        per_square_(1 / (size * size)),
         per_power_(D == 2 ? per_square_ : per_square_ / size),
         potential_scale_(D == 2 ? std::log(size) : 1 / size) {}
+
+  double reach(double tolerance) const { return size_ * Core::template reach<D>(tolerance); }
 
   [[gnu::always_inline]] Lanes influence(const Lanes& r_squared) const {
     return per_power_ * Core::template influence<D>(per_square_ * r_squared);
@@ -67,7 +72,7 @@ struct BlobShape {
   }
 
  private:
-  double per_square_, per_power_, potential_scale_;
+  double size_, per_square_, per_power_, potential_scale_;
 };
 
 template <int D>
