@@ -92,6 +92,7 @@ class HarmonicExpansion {
   std::vector<std::uint32_t> order_;            ///< sources by falling degree
   std::vector<Lanes> along_axis_, translated_;  ///< of one component
   std::vector<Lanes> sums_;                     ///< what eight sources at a time gave to the target
+  std::vector<Lanes> strengths_;                ///< of eight points, by components
   std::array<Lanes, highest_degree + 1> powers_;
 };
 
