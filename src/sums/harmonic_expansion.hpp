@@ -69,7 +69,7 @@ class HarmonicExpansion {
   /// Adds the field of distant sources to the local expansion of a target of `radius`, those of
   /// like degrees eight at a time, with the highest degree of the eight. All degrees of the source
   /// go to all of the target: leaving out those that add up to more than the degree, as Dehnen
-  /// does, saves at most a tenth of the time and makes the errors of two equal balls 5 to 40 times
+  /// does, saves at most a tenth of the time and makes the errors of two equal balls 5 to 300 times
   /// as large at degree 6 to 10. The balls of source and target must not touch.
   void translate(std::span<const DistantSource> sources, double radius, double* local);
   /// Adds the local expansion of a parent to those of its children.
