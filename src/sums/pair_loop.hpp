@@ -63,9 +63,11 @@ template <std::size_t Count, class Visit>
 }
 
 /// Adds what the sources do to `Packs` packs of targets, the last of which may be filled in part.
+/// Flattened, as the compiler leaves some operations of lanes as calls where there are many.
 template <std::size_t Packs, PairKernel K>
-void add_to_packs(const K& kernel, const TargetColumns<K>& targets, Range target,
-                  const SourceColumns<K>& sources, Range range, const OutputColumns<K>& outputs) {
+[[gnu::flatten]] void add_to_packs(const K& kernel, const TargetColumns<K>& targets, Range target,
+                                   const SourceColumns<K>& sources, Range range,
+                                   const OutputColumns<K>& outputs) {
   std::array<std::array<Lanes, K::dimension>, Packs> place;
   std::array<std::array<Lanes, K::outputs>, Packs> sums;
   unrolled<Packs>([&](auto p) __attribute__((always_inline)) {
