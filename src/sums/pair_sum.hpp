@@ -9,8 +9,7 @@
 namespace mote {
 
 /// Points of a leaf of a tree: fewer make more far pairs, more make more pairs of points.
-template <int D>
-inline constexpr Index leaf_capacity = D == 2 ? 64 : 80;
+inline constexpr Index leaf_capacity = 64;
 
 /// Sums of pair kernels over all pairs by the method of the settings, direct or multipole.
 template <int D>
@@ -20,7 +19,7 @@ class PairSum {
   template <class Expansion>
   PairSum(SumMethod method, Expansion expansion) {
     if (method == SumMethod::multipole)
-      tree_ = std::make_unique<TreeSum<D>>(expansion(), getenv("LEAF") ? atoi(getenv("LEAF")) : leaf_capacity<D>);
+      tree_ = std::make_unique<TreeSum<D>>(expansion(), getenv("LEAF") ? atoi(getenv("LEAF")) : leaf_capacity);
   }
 
   /// The points of the next sum; `targets` may be the sources' own places. Strengths are multiplied

@@ -24,7 +24,7 @@ class SpaceExpansion {
   int degree_for(double a, double b, double d) const { return degrees_(a, b, d); }
 
   /// Pairs of points that are summed in the time of one translation, as measured.
-  static std::int64_t pairs_for_a_translation(int degree) { return 6 * degree * degree; }
+  static std::int64_t pairs_for_a_translation(int degree) { return 5 * degree * degree; }
 
   void add_points(const PointTree<3>& tree, Index node, std::span<const double* const> strengths,
                   double* series) const;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <vector>
+
+#include "mote/sums/place_table.hpp"
 
 namespace mote {
 
@@ -33,35 +33,36 @@ template <int D>
 void check_places(std::span<const double> places, const char* what) {
   const auto bad = std::ranges::find_if(places, [](double x) { return !std::isfinite(x); });
   if (bad == places.end()) return;
-  throw InputError(std::string(what) + " " + std::to_string((bad - places.begin()) / D) +
+  throw InputError(std::string(what) + " " + std::to_string((bad - places.begin()) / D + 1) +
                    " stands at no finite place");
 }
 
 }  // namespace
 
 template <int D>
+void refuse_points_of_one_place(std::span<const double> points) {
+  check_places<D>(points, "point");
+  PlaceTable<D> table(points);
+  for (std::size_t i = 0; i < points.size() / D; ++i)
+    if (const auto other = table.put(i))
+      throw InputError("points " + std::to_string(*other + 1) + " and " + std::to_string(i + 1) +
+                       " coincide");
+}
+
+template <int D>
 void refuse_targets_on_sources(std::span<const double> targets, std::span<const double> sources) {
   check_places<D>(targets, "target");
   check_places<D>(sources, "source");
-  const auto row = [](std::span<const double> places, std::size_t i) {
-    return places.subspan(i * D, D);
-  };
-  const auto before = [](std::span<const double> a, std::span<const double> b) {
-    return std::ranges::lexicographical_compare(a, b);
-  };
-  std::vector<std::size_t> order(sources.size() / D);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto place_of = [&](std::size_t j) { return row(sources, j); };
-  std::ranges::stable_sort(order, before, place_of);
-  for (std::size_t i = 0; i < targets.size() / D; ++i) {
-    const auto place = row(targets, i);
-    const auto found = std::ranges::lower_bound(order, place, before, place_of);
-    if (found != order.end() && std::ranges::equal(place, place_of(*found)))
-      throw InputError("target " + std::to_string(i) + " stands on source " +
-                       std::to_string(*found) + ", where the field of a point is infinite");
-  }
+  PlaceTable<D> table(sources);
+  for (std::size_t j = 0; j < sources.size() / D; ++j) table.put(j);
+  for (std::size_t i = 0; i < targets.size() / D; ++i)
+    if (const auto source = table.find(targets.subspan(i * D, D)))
+      throw InputError("target " + std::to_string(i + 1) + " stands on source " +
+                       std::to_string(*source + 1) + ", where the field of a point is infinite");
 }
 
+template void refuse_points_of_one_place<2>(std::span<const double>);
+template void refuse_points_of_one_place<3>(std::span<const double>);
 template void refuse_targets_on_sources<2>(std::span<const double>, std::span<const double>);
 template void refuse_targets_on_sources<3>(std::span<const double>, std::span<const double>);
 

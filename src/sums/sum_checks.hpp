@@ -18,6 +18,11 @@ void check_settings(const SumSettings& settings, std::string_view sum);
 template <int D>
 void refuse_targets_on_sources(std::span<const double> targets, std::span<const double> sources);
 
+/// Throws InputError, naming both, where two points stand on one place, and where a place is not
+/// finite.
+template <int D>
+void refuse_points_of_one_place(std::span<const double> points);
+
 /// Throws InputError unless blobs of this size can be.
 void check_core_size(double size);
 
@@ -38,6 +43,8 @@ void visit_shape(std::string_view core, Visit visit) {
 }
 
 extern template void refuse_targets_on_sources<2>(std::span<const double>, std::span<const double>);
+extern template void refuse_points_of_one_place<2>(std::span<const double>);
+extern template void refuse_points_of_one_place<3>(std::span<const double>);
 extern template void refuse_targets_on_sources<3>(std::span<const double>, std::span<const double>);
 
 }  // namespace mote
