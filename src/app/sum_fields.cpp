@@ -21,10 +21,12 @@ void sum_cauchy(const SumTask& task, const SumPoints& points, std::vector<Summed
   const auto strengths = complex_of(points.strength, points.strength.size() == sources.size());
   std::vector<Complex> result(points.target_count());
   Cauchy sum(task.settings);
-  if (points.at_sources)
-    sum.at_sources(sources, strengths, result);
-  else
-    sum.at(complex_of(points.targets, false), sources, strengths, result);
+  at_place(points.file, [&] {
+    if (points.at_sources)
+      sum.at_sources(sources, strengths, result);
+    else
+      sum.at(complex_of(points.targets, false), sources, strengths, result);
+  });
   for (std::size_t i = 0; i < result.size(); ++i) {
     fields[0].values[2 * i] = result[i].real();
     fields[0].values[2 * i + 1] = result[i].imag();
@@ -36,10 +38,12 @@ template <int D, class Sum, class Result>
 void sum_over_pairs(const SumTask& task, const SumPoints& points, const Result& result) {
   Sum sum(task.settings, task.core);
   const Sources<D> sources{points.position, points.strength, task.core_size};
-  if (points.at_sources)
-    sum.at_sources(sources, result);
-  else
-    sum.at(points.targets, sources, result);
+  at_place(points.file, [&] {
+    if (points.at_sources)
+      sum.at_sources(sources, result);
+    else
+      sum.at(points.targets, sources, result);
+  });
 }
 
 template <int D>

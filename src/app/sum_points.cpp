@@ -37,16 +37,16 @@ std::vector<double> rows_of(const PointTable& table, const Names& names) {
 
 std::vector<double> strengths(const PointTable& table, SumKernel kernel, int dimension) {
   const auto choices = strength_names(kernel, dimension);
-  const auto found = std::ranges::find_if(choices, [&](const Names& n) { return has_all(table, n); });
+  const auto found =
+      std::ranges::find_if(choices, [&](const Names& n) { return has_all(table, n); });
   if (found != choices.end()) return rows_of(table, *found);
   Names wanted;
   for (const Names& names : choices)
-    wanted.push_back(fmt::format("{}{}", names.size() > 1 ? "columns " : "a column ",
-                                 fmt::join(names, ", ")));
-  throw InputError(fmt::format("{} in {}D needs {}; there are: {}",
-                               sum_kernels[static_cast<int>(kernel)], dimension,
-                               fmt::join(wanted, " or "),
-                               fmt::join(table.columns | std::views::keys, ", ")));
+    wanted.push_back(
+        fmt::format("{}{}", names.size() > 1 ? "columns " : "a column ", fmt::join(names, ", ")));
+  throw InputError(fmt::format(
+      "{} in {}D needs {}; there are: {}", sum_kernels[static_cast<int>(kernel)], dimension,
+      fmt::join(wanted, " or "), fmt::join(table.columns | std::views::keys, ", ")));
 }
 
 Names coordinates(int dimension) { return {axis_names, axis_names + dimension}; }
@@ -61,9 +61,9 @@ std::vector<double> targets_of(const PointTable& table, int dimension) {
 
 SumPoints read_sum_points(SumKernel kernel, const std::filesystem::path& sources,
                           const std::optional<std::string>& targets) {
-  SumPoints points;
+  SumPoints points{.file = sources.string()};
   const PointTable table = read_points(sources);
-  at_place(sources.string(), [&] {
+  at_place(points.file, [&] {
     points.dimension = table.has("z") ? 3 : 2;
     if (kernel == SumKernel::cauchy && points.dimension == 3)
       throw InputError("there is a column z, but cauchy is a sum in the plane");

@@ -15,6 +15,7 @@ inline constexpr const char* sum_kernels[] = {"cauchy", "gravity", "biot_savart"
 
 /// Sources, and targets unless they are the sources; numbers point by point.
 struct SumPoints {
+  std::string file;  ///< of the sources
   int dimension = 2;
   std::vector<double> position, strength;
   bool at_sources = true;
