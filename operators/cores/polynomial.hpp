@@ -6,13 +6,16 @@
 
 namespace mote {
 
-/// sum_k coefficients[k] x^k.
+/// sum_k coefficients[k] x^k, even and odd powers apart: two short chains of operations instead of
+/// a long one.
 template <class Real, std::size_t N>
 [[gnu::always_inline]] constexpr Real polynomial(const std::array<double, N>& coefficients,
                                                  const Real& x) {
-  Real sum = coefficients[N - 1];
-  for (std::size_t k = N - 1; k-- > 0;) sum = sum * x + coefficients[k];
-  return sum;
+  const Real square = x * x;
+  Real even = coefficients[(N - 1) / 2 * 2], odd = N > 1 ? coefficients[N / 2 * 2 - 1] : 0;
+  for (std::size_t k = (N - 1) / 2 * 2; k > 0; k -= 2) even = even * square + coefficients[k - 2];
+  for (std::size_t k = N / 2 * 2 - 1; k > 1; k -= 2) odd = odd * square + coefficients[k - 2];
+  return even + x * odd;
 }
 
 /// The cosine by its series, for 0 <= x <= pi.
@@ -52,6 +55,17 @@ constexpr std::array<double, N> chebyshev_fit(Function f) {
   }
   std::array<double, N> coefficients{};
   for (std::size_t k = 0; k < N; ++k) coefficients[k] = static_cast<double>(sum[k]);
+  return coefficients;
+}
+
+/// The coefficients for powers of x = scale z of a polynomial given for those of z.
+template <std::size_t N>
+constexpr std::array<double, N> in_powers_of(double scale, std::array<double, N> coefficients) {
+  long double power = 1;
+  for (double& coefficient : coefficients) {
+    coefficient = static_cast<double>(coefficient / power);
+    power *= scale;
+  }
   return coefficients;
 }
 
