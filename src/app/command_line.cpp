@@ -74,8 +74,9 @@ void add_sum(CLI::App& command, SumOptions& options) {
                   "direct, power_series (cauchy with targets apart) or multipole (default)")
       ->check(
           CLI::IsMember(std::vector<std::string>(std::begin(sum_methods), std::end(sum_methods))));
-  command.add_option("--tolerance", options.tolerance,
-                     "error over the largest value of the result (default: 1e-8)");
+  command.add_option(
+      "--tolerance", options.tolerance,
+      "error over the largest value of the result (default: 1e-8; multipole: 1e-13 to 1e-3)");
   command.add_option("--out", options.out, "file of the result, .csv")->required();
   command.add_option("--targets", options.targets,
                      "file of the points that get the sums (default: the sources themselves)");

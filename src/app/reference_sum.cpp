@@ -81,9 +81,9 @@ class SpaceSum {
   std::vector<Real> operator()(std::size_t target) const {
     std::vector<Real> sums(task_.kernel == SumKernel::gravity ? 1 + D : D + task_.gradient * D * D);
     for (std::size_t j = 0; j < points_.source_count(); ++j) {
-      if (points_.at_sources && j == target) continue;
       const Vector<D> x = place(points_.places(), target) - place(points_.position, j);
       if (x.isZero(0) && task_.core == "point") continue;
+      if (points_.at_sources && j == target && task_.kernel == SumKernel::gravity) continue;
       if (task_.kernel == SumKernel::gravity)
         add_mass(points_.strength[j], x, sums);
       else

@@ -60,6 +60,8 @@ const std::vector<CommandCase> bad_options{
      "mote: --tolerance 0.2: ", "from 1e-14 to 0.1"},
     {"tolerance_negative", cauchy({"--tolerance", "-1e-8"}), "mote: --tolerance ", "1e-14 to 0.1"},
     {"tolerance_not_a_number", cauchy({"--tolerance", "nan"}), "mote: --tolerance ", "to 0.1"},
+    {"tolerance_beyond_multipole", gravity({"--tolerance", "1e-14"}),
+     "mote: the tolerance of multipole", "from 1e-13 to 1e-3"},
     {"tolerance_in_words", cauchy({"--tolerance", "small"}), "mote: ", "small"},
     {"series_of_gravity", gravity({"--method", "power_series", "--targets", "targets.csv"}),
      "mote: --method power_series: ", "gravity has no such sum; direct and multipole serve it"},
