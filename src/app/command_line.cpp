@@ -10,15 +10,19 @@
 
 #include "mote/app/commands.hpp"
 #include "mote/app/one_line.hpp"
+#include "mote/app/sum_points.hpp"
+#include "mote/operators/cores/all.hpp"
 #include "mote/particles/failure.hpp"
 #include "mote/scenario/located_error.hpp"
 #include "mote/scenario/suggestion.hpp"
 #include "mote/scenario/version.hpp"
+#include "mote/sums/sum_settings.hpp"
 
 namespace mote {
 namespace {
 
-void add_threads_and_quiet(CLI::App& command, RunOptions& options) {
+template <class Options>
+void add_threads_and_quiet(CLI::App& command, Options& options) {
   command.add_option("--threads", options.threads, "OpenMP threads (default: all)")
       ->check(CLI::Range(1, 4096));
   command.add_flag("--quiet", options.quiet, "print nothing but errors");
@@ -39,6 +43,50 @@ void add_file_and_output(CLI::App& command, RunOptions& options, const std::stri
   add_file(command, options, what);
   command.add_option("--out", options.out, "output folder (default: a new one in results/)");
   command.add_flag("--overwrite", options.overwrite, "replace former output in that folder");
+  add_threads_and_quiet(command, options);
+}
+
+std::vector<std::string> core_names() {
+  std::vector<std::string> names{"point"};
+  for_each_type(VortexCores{}, [&]<class Core>() { names.emplace_back(Core::name); });
+  return names;
+}
+
+void add_sum(CLI::App& command, SumOptions& options) {
+  command.footer(
+      "Points have the columns x, y and, in 3D, z, and as strengths\n"
+      "  cauchy       strength, or strength_re and strength_im\n"
+      "  gravity      mass, or strength\n"
+      "  biot_savart  circulation, or strength; in 3D circulation_x, _y, _z or strength_x, _y, _z\n"
+      "The result has a row for every target, in the order of its file, with the columns\n"
+      "  cauchy       value_re, value_im: sum_j v_j/(s_i - t_j), with x + i y for points\n"
+      "  gravity      potential, gradient_x, ...: sum_j m_j ln r in 2D, -sum_j m_j/r in 3D\n"
+      "  biot_savart  velocity_x, ..., and with --gradient velocity_gradient_xx, _xy, ...\n"
+      "The exit code is 1 if --verify finds an error above the tolerance.");
+  command.add_option("points", options.points, "file of points, .csv or as studies read them")
+      ->required();
+  command.add_option("--kernel", options.kernel, "what is summed: cauchy, gravity or biot_savart")
+      ->required()
+      ->check(
+          CLI::IsMember(std::vector<std::string>(std::begin(sum_kernels), std::end(sum_kernels))));
+  command
+      .add_option("--method", options.method,
+                  "direct, power_series (cauchy with targets apart) or multipole (default)")
+      ->check(
+          CLI::IsMember(std::vector<std::string>(std::begin(sum_methods), std::end(sum_methods))));
+  command.add_option(
+      "--tolerance", options.tolerance,
+      "error over the largest value of the result (default: 1e-8; multipole: 1e-13 to 1e-3)");
+  command.add_option("--out", options.out, "file of the result, .csv")->required();
+  command.add_option("--targets", options.targets,
+                     "file of the points that get the sums (default: the sources themselves)");
+  command.add_option("--core", options.core, "core of masses or vortices (default: point)")
+      ->check(CLI::IsMember(core_names()));
+  command.add_option("--core-size", options.core_size, "size of the core, in the unit of x");
+  command.add_flag("--gradient", options.gradient, "give the gradient of the velocity, too");
+  command.add_flag("--verify", options.verify,
+                   "compare some targets with sums pair by pair in long double");
+  command.add_flag("--overwrite", options.overwrite, "replace the file of the result");
   add_threads_and_quiet(command, options);
 }
 
@@ -92,6 +140,10 @@ class Commands {
     export_command->add_option("--to", export_.to, "file to write, .csv or .vtp")->required();
     export_command->add_flag("--overwrite", export_.overwrite, "replace the file");
 
+    add_sum(
+        *add(app, "sum", "sum over all pairs of anybody's points", [this] { return sum(sum_); }),
+        sum_);
+
     CLI::App* list_command =
         add(app, "list", "what a scenario can name", [this] { return list(catalogue_, what_); });
     list_command->add_option("what", what_, "which list")
@@ -118,6 +170,7 @@ class Commands {
   RunOptions run_;
   CompareOptions compare_;
   ExportOptions export_;
+  SumOptions sum_;
   std::string what_, schema_of_ = "scenario";
   int exit_code_ = 0;
 };

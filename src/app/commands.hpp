@@ -33,6 +33,20 @@ struct ExportOptions {
   bool overwrite = false;
 };
 
+/// Options of `mote sum`.
+struct SumOptions {
+  std::string points;                  ///< file of the sources
+  std::optional<std::string> targets;  ///< file; none: the sources
+  std::string kernel;
+  std::string method = "multipole";
+  double tolerance = 1e-8;
+  std::optional<std::string> core;
+  std::optional<double> core_size;
+  std::string out;
+  int threads = 0;  ///< 0: all there are
+  bool gradient = false, verify = false, overwrite = false, quiet = false;
+};
+
 /// The commands of mote, one file each. They return the exit code, and throw LocatedError or
 /// InputError for bad input.
 int run(const Catalogue& catalogue, const RunOptions& options);
@@ -41,6 +55,7 @@ int compare(const Catalogue& catalogue, const CompareOptions& options);
 int check(const Catalogue& catalogue, const RunOptions& options);
 int resume(const Catalogue& catalogue, const RunOptions& options);
 int export_frame(const ExportOptions& options);
+int sum(const SumOptions& options);
 int list(const Catalogue& catalogue, const std::string& what);
 int print_schema(const Catalogue& catalogue, const std::string& of);
 

@@ -2,6 +2,7 @@
 
 #include "mote/sums/pair_shapes.hpp"
 #include "mote/sums/pair_sum.hpp"
+#include "mote/sums/power_series.hpp"
 #include "mote/sums/sum_checks.hpp"
 
 namespace mote {
@@ -34,8 +35,7 @@ class FarField<CauchyKernel> {
       : expansion_(expansion), taylor_(taylor), radius_(radius) {}
 
   void add(const std::array<Lanes, 2>& offset, std::array<Lanes, 2>& sums) const {
-    const auto values =
-        expansion_.values(taylor_, offset[0] / radius_, offset[1] / radius_, false);
+    const auto values = expansion_.values(taylor_, offset[0] / radius_, offset[1] / radius_, false);
     sums[0] += values.real;
     sums[1] += values.imaginary;
   }
@@ -63,16 +63,27 @@ class Cauchy::Sum {
   PairSum<2> pairs;
 };
 
-Cauchy::Cauchy(const SumSettings& settings) : sum_(std::make_unique<Sum>(settings)) {}
+Cauchy::Cauchy(const SumSettings& settings) {
+  check_tolerance(settings);
+  sum_ = std::make_unique<Sum>(settings);
+}
 Cauchy::~Cauchy() = default;
 
 void Cauchy::at_sources(std::span<const Complex> points, std::span<const Complex> strengths,
                         std::span<Complex> result) {
+  if (sum_->settings.method == SumMethod::power_series)
+    throw InputError("method",
+                     "power_series serves targets apart from the sources, not the sources "
+                     "themselves; take direct or multipole");
+  refuse_points_of_one_place<2>(numbers(points));
   sum_->form(points, points, strengths, result);
 }
 
 void Cauchy::at(std::span<const Complex> targets, std::span<const Complex> sources,
                 std::span<const Complex> strengths, std::span<Complex> result) {
+  if (sum_->settings.method == SumMethod::power_series)
+    return power_series(targets, sources, strengths, sum_->settings.tolerance, result);
+  refuse_targets_on_sources<2>(numbers(targets), numbers(sources));
   sum_->form(targets, sources, strengths, result);
 }
 

@@ -3,49 +3,47 @@
 #include <array>
 #include <complex>
 #include <cstddef>
-#include <utility>
+#include <span>
 
-#include "mote/operators/differential/lanes.hpp"
+#include "mote/sums/lane_access.hpp"
 
 namespace mote {
 
-/// Calls `body(k)` for k = 0, ..., N - 1 with k known to the compiler, which then keeps arrays of
-/// lanes indexed by it in registers.
-template <std::size_t N, class Body>
-inline void unrolled(Body body) {
-  [&]<std::size_t... k>(std::index_sequence<k...>) {
-    (body(std::integral_constant<std::size_t, k>()), ...);
-  }
-  (std::make_index_sequence<N>());
-}
-
-inline Lanes load(const double* from) { return Lanes(from, std::experimental::element_aligned); }
-
-inline void store(const Lanes& lanes, double* to) {
-  lanes.copy_to(to, std::experimental::element_aligned);
-}
-
-/// The first `count` lanes, and 0 behind them.
-inline Lanes first_lanes(Lanes lanes, std::size_t count) {
-  const Lanes number([](auto lane) { return static_cast<double>(lane); });
-  where(number >= static_cast<double>(count), lanes) = 0;
-  return lanes;
-}
-
-/// Eight complex numbers.
+/// Eight complex numbers side by side.
 struct ComplexLanes {
-  Lanes real, imaginary;
+  Lanes real = 0, imaginary = 0;
 
-  ComplexLanes& operator*=(const ComplexLanes& b) {
-    const Lanes product = real * b.real - imaginary * b.imaginary;
-    imaginary = real * b.imaginary + imaginary * b.real;
+  ComplexLanes() = default;
+  ComplexLanes(const Lanes& re, const Lanes& im) : real(re), imaginary(im) {}
+  /// The same number eight times.
+  explicit ComplexLanes(std::complex<double> number)
+      : real(number.real()), imaginary(number.imag()) {}
+  /// The first eight of `numbers`; what is missing is 0.
+  explicit ComplexLanes(std::span<const std::complex<double>> numbers)
+      : real([&](std::size_t k) { return k < numbers.size() ? numbers[k].real() : 0; }),
+        imaginary([&](std::size_t k) { return k < numbers.size() ? numbers[k].imag() : 0; }) {}
+
+  ComplexLanes& operator+=(const ComplexLanes& other) {
+    real += other.real;
+    imaginary += other.imaginary;
+    return *this;
+  }
+  ComplexLanes& operator*=(const ComplexLanes& other) {
+    const Lanes product = real * other.real - imaginary * other.imaginary;
+    imaginary = real * other.imaginary + imaginary * other.real;
     real = product;
     return *this;
   }
-  ComplexLanes& operator*=(const std::complex<double>& b) {
-    return *this *= ComplexLanes{Lanes(b.real()), Lanes(b.imag())};
+  ComplexLanes& operator*=(const std::complex<double>& other) {
+    return *this *= ComplexLanes(other);
   }
+  std::complex<double> operator[](std::size_t k) const { return {real[k], imaginary[k]}; }
 };
+
+/// Sum of the lanes, in a fixed order.
+inline std::complex<double> sum_of(const ComplexLanes& lanes) {
+  return {sum_of(lanes.real), sum_of(lanes.imaginary)};
+}
 
 /// first, first z, first z^2, ..., first z^7.
 inline ComplexLanes powers(const std::complex<double>& first, const std::complex<double>& z) {

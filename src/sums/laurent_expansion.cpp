@@ -41,8 +41,7 @@ void LaurentExpansion::fill_binomials() {
 }
 
 void LaurentExpansion::add_points(const PointTree<2>& tree, Index n,
-                                  std::span<const double* const> strengths,
-                                  double* series) const {
+                                  std::span<const double* const> strengths, double* series) const {
   const TreeNode<2>& node = tree.node(n);
   const double scale = 1 / node.radius;
   const auto end = static_cast<std::size_t>(node.points.end);
@@ -79,8 +78,7 @@ void LaurentExpansion::shift_one_up(const Child<2>& child, const TreeNode<2>& pa
   double* positive = power.data() + stride_;
   list_powers({delta[0], delta[1]}, stride_ / lane_count, 2 * stride_, positive);
   double factor = 1;
-  for (std::size_t k = 0; k < degree_;
-       ++k, factor *= child.node.radius / parent.radius) {
+  for (std::size_t k = 0; k < degree_; ++k, factor *= child.node.radius / parent.radius) {
     const Lanes real = factor * child.series[k], imaginary = factor * child.series[stride_ + k];
     for (std::size_t l = k / lane_count * lane_count; l < stride_; l += lane_count) {
       const Lanes binomial = load(&subsets_[k * stride_ + l]);
@@ -209,8 +207,7 @@ void LaurentExpansion::shift_one_down(const TreeNode<2>& parent, const double* f
     }
   }
   double factor = 1;
-  for (std::size_t l = 0; l < degree_;
-       ++l, factor *= child.node.radius / parent.radius) {
+  for (std::size_t l = 0; l < degree_; ++l, factor *= child.node.radius / parent.radius) {
     child.series[l] += factor * moved[l];
     child.series[stride_ + l] += factor * moved[most_terms + l];
   }

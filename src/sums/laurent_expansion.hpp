@@ -42,8 +42,8 @@ class LaurentExpansion {
 
   /// Adds points to a node's Laurent series: strengths are a column, or a real and an imaginary
   /// one.
-  void add_points(const PointTree<2>& tree, Index node,
-                  std::span<const double* const> strengths, double* series) const;
+  void add_points(const PointTree<2>& tree, Index node, std::span<const double* const> strengths,
+                  double* series) const;
   /// Adds the Laurent series of children to their parent's.
   void shift_up(std::span<const Child<2>> children, const TreeNode<2>& parent, double* to) const;
   /// Adds the Taylor series of far nodes about a target node.
@@ -76,8 +76,8 @@ class LaurentExpansion {
 
   bool with_potential_;
   DegreeByRatio degrees_;
-  std::size_t degree_;  ///< terms of the longest expansions
-  std::size_t stride_;  ///< the same, filled up to packs of lanes
+  std::size_t degree_;                 ///< terms of the longest expansions
+  std::size_t stride_;                 ///< the same, filled up to packs of lanes
   std::vector<double> sums_;           ///< C(k + l, k): a column of `stride_` for every k
   std::vector<double> subsets_;        ///< C(l, k), columns as above
   std::vector<double> lower_subsets_;  ///< C(k, l), likewise

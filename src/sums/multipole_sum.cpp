@@ -55,8 +55,8 @@ class MultipoleSum<D>::Descent {
         least_gap_(points.least_gap),
         leaves_(leaves) {}
 
-  /// Values at all targets below a node, from `candidates`, source nodes too near to its parent, and
-  /// from the Taylor series of all others.
+  /// Values at all targets below a node, from `candidates`, source nodes too near to its parent,
+  /// and from the Taylor series of all others.
   void descend(Index t, std::span<const Index> candidates, double* taylor) {
     std::vector<Index> kept;
     std::vector<FarPair<D>> far;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
 
+#include "mote/sums/lane_access.hpp"
 #include "mote/sums/pair_kernel.hpp"
 
 namespace mote {
@@ -38,16 +38,6 @@ inline constexpr std::size_t sources_at_once = 512;
 template <PairKernel K>
 inline constexpr std::size_t packs_at_once =
     std::clamp<std::size_t>(20 / (K::dimension + K::outputs), 1, 4);
-
-/// Calls visit(integral_constant<0>), visit(integral_constant<1>) ...: places in arrays known to
-/// the compiler, so that their elements can stay in registers.
-template <std::size_t Count, class Visit>
-[[gnu::always_inline]] inline void unrolled(Visit visit) {
-  [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
-    (visit(std::integral_constant<std::size_t, I>{}), ...);
-  }
-  (std::make_index_sequence<Count>{});
-}
 
 /// Adds the first `count` lanes, or all.
 [[gnu::always_inline]] inline void add_to_column(const Lanes& sum, double* column,

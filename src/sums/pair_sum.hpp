@@ -1,7 +1,7 @@
 #pragma once
 
-#include <memory>
 #include <cstdlib>
+#include <memory>
 
 #include "mote/sums/direct_sum.hpp"
 #include "mote/sums/tree_sum.hpp"
@@ -19,7 +19,8 @@ class PairSum {
   template <class Expansion>
   PairSum(SumMethod method, Expansion expansion) {
     if (method == SumMethod::multipole)
-      tree_ = std::make_unique<TreeSum<D>>(expansion(), getenv("LEAF") ? atoi(getenv("LEAF")) : leaf_capacity);
+      tree_ = std::make_unique<TreeSum<D>>(expansion(),
+                                           getenv("LEAF") ? atoi(getenv("LEAF")) : leaf_capacity);
   }
 
   /// The points of the next sum; `targets` may be the sources' own places. Strengths are multiplied

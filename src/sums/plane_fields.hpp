@@ -21,8 +21,8 @@ requires(Shape::dimension == 2) class FarField<VortexKernel<Shape, WithGradient>
 
   template <std::size_t N>
   void add(const std::array<Lanes, 2>& offset, std::array<Lanes, N>& sums) const {
-    const auto values = expansion_.values(taylor_, offset[0] / radius_, offset[1] / radius_,
-                                          WithGradient);
+    const auto values =
+        expansion_.values(taylor_, offset[0] / radius_, offset[1] / radius_, WithGradient);
     sums[0] += values.imaginary;
     sums[1] += values.real;
     if constexpr (WithGradient) {
@@ -49,8 +49,7 @@ requires(Shape::dimension == 2) class FarField<GravityKernel<Shape, Part>> {
 
   template <std::size_t N>
   void add(const std::array<Lanes, 2>& offset, std::array<Lanes, N>& sums) const {
-    const auto values =
-        expansion_.values(taylor_, offset[0] / radius_, offset[1] / radius_, false);
+    const auto values = expansion_.values(taylor_, offset[0] / radius_, offset[1] / radius_, false);
     if constexpr (Part != GravityPart::gradient)
       sums[0] += expansion_.constant(taylor_) + radius_ * values.integral;
     if constexpr (Part != GravityPart::potential) {

@@ -11,8 +11,9 @@ namespace {
 constexpr double largest_ratio = 0.6;
 
 /// How much larger the error of a pair of nodes may be than that of the sum: those of hundreds of
-/// pairs a level have no common sign, and points spread over a ball stay two orders below its bound.
-/// Measured, not proved: the errors of sums come out 20 to 1000 times smaller than asked for.
+/// pairs a level have no common sign, and points spread over a ball stay two orders below its
+/// bound. Measured, not proved: the errors of sums come out 20 to 1000 times smaller than asked
+/// for.
 constexpr double pairs_may_err = 200;
 
 NodeBall ball_of(const TreeNode<3>& node) {
@@ -61,7 +62,8 @@ void SpaceExpansion::translate(std::span<const FarPair<3>> pairs, double target_
                                double* local) const {
   std::vector<DistantSource> sources;
   for (const FarPair<3>& p : pairs)
-    sources.push_back({p.series, {p.distance[0], p.distance[1], p.distance[2]}, p.radius, p.degree});
+    sources.push_back(
+        {p.series, {p.distance[0], p.distance[1], p.distance[2]}, p.radius, p.degree});
   mine().translate(sources, target_radius, local);
 }
 

@@ -24,8 +24,10 @@ requires(Shape::dimension == 3) class FarField<VortexKernel<Shape, WithGradient>
   template <std::size_t N>
   void add(const std::array<Lanes, 3>& offset, std::array<Lanes, N>& sums) const {
     const std::array<Lanes, N> values = [&] {
-      if constexpr (WithGradient) return curl_.with_gradient(offset);
-      else return curl_.at(offset);
+      if constexpr (WithGradient)
+        return curl_.with_gradient(offset);
+      else
+        return curl_.at(offset);
     }();
     for (std::size_t c = 0; c < N; ++c) sums[c] += values[c];
   }

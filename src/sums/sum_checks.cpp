@@ -11,6 +11,10 @@ void check_settings(const SumSettings& settings, std::string_view sum) {
   if (settings.method == SumMethod::power_series)
     throw InputError("method", "power_series is a method of cauchy, and " + std::string(sum) +
                                    " has none; take direct or multipole");
+  check_tolerance(settings);
+}
+
+void check_tolerance(const SumSettings& settings) {
   const bool has_tolerance = settings.method == SumMethod::multipole;
   if (has_tolerance && !(1e-13 <= settings.tolerance && settings.tolerance <= 1e-3))
     throw InputError("tolerance", "the tolerance of multipole must be from 1e-13 to 1e-3");

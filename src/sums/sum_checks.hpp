@@ -13,6 +13,9 @@ namespace mote {
 /// Throws InputError unless the settings suit a sum that has no power series.
 void check_settings(const SumSettings& settings, std::string_view sum);
 
+/// Throws InputError for a tolerance that the multipole method cannot keep.
+void check_tolerance(const SumSettings& settings);
+
 /// Throws InputError, naming both, where a target stands on a source, and where a place is not
 /// finite.
 template <int D>

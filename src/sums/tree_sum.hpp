@@ -4,8 +4,8 @@
 #include <array>
 #include <span>
 
-#include "mote/sums/complex_lanes.hpp"
 #include "mote/sums/far_field.hpp"
+#include "mote/sums/lane_access.hpp"
 #include "mote/sums/multipole_sum.hpp"
 #include "mote/sums/number_columns.hpp"
 #include "mote/sums/pair_loop.hpp"
@@ -24,8 +24,8 @@ class TreeSum {
   /// multiplied by `scale`.
   void place(std::span<const double> targets, const Sources<D>& sources, double scale = 1) {
     source_tree_.build(sources.position, leaf_capacity_);
-    const bool same = targets.data() == sources.position.data() &&
-                      targets.size() == sources.position.size();
+    const bool same =
+        targets.data() == sources.position.data() && targets.size() == sources.position.size();
     if (!same) target_tree_.build(targets, leaf_capacity_);
     targets_ = same ? &source_tree_ : &target_tree_;
     const std::size_t count = sources.position.size() / D;
@@ -39,7 +39,8 @@ class TreeSum {
   void form(const K& kernel, double least_gap) {
     outputs_.clear(static_cast<std::size_t>(targets_->count()), K::outputs);
     std::array<const double*, K::strengths> strengths;
-    for (int s = 0; s < K::strengths; ++s) strengths[static_cast<std::size_t>(s)] = strengths_.column(s);
+    for (int s = 0; s < K::strengths; ++s)
+      strengths[static_cast<std::size_t>(s)] = strengths_.column(s);
     Leaves<K> leaves(kernel, *this, strengths);
     multipoles_.evaluate({*targets_, source_tree_, strengths, least_gap}, leaves);
   }
@@ -73,7 +74,8 @@ class TreeSum<D>::Leaves final : public LeafSums {
       sources_.position[d] = sum.source_tree_.positions()[d].data();
     }
     sources_.strength = strengths;
-    for (std::size_t c = 0; c < K::outputs; ++c) outputs_[c] = sum.outputs_.column(static_cast<int>(c));
+    for (std::size_t c = 0; c < K::outputs; ++c)
+      outputs_[c] = sum.outputs_.column(static_cast<int>(c));
   }
 
   void add_far(Index leaf, const double* taylor) override {

@@ -138,7 +138,7 @@ TEST(CauchySum, RefusesPointsOfOnePlace) {
       Cauchy({method, 1e-8}).at_sources(points, strengths_of(points.size()), result);
       FAIL() << "two points of one place have no sum";
     } catch (const InputError& error) {
-      EXPECT_STREQ(error.what(), "points 18 and 4322 stand on one place");
+      EXPECT_STREQ(error.what(), "points 18 and 4322 coincide");
     }
     const Numbers target = {points[4321]};
     EXPECT_THROW(Cauchy({method, 1e-8}).at(target, points, strengths_of(points.size()), result),

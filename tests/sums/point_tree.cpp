@@ -34,8 +34,7 @@ void expect_sound(const PointTree<D>& tree, const std::vector<double>& positions
         place[d] = tree.positions()[d][static_cast<std::size_t>(i)];
       farthest = std::max(farthest, (place - node.centre).norm());
     }
-    ASSERT_LE(farthest, node.radius * (1 + 1e-12) + 1e-15)
-        << "node " << n;  // rounding
+    ASSERT_LE(farthest, node.radius * (1 + 1e-12) + 1e-15) << "node " << n;  // rounding
     if (tree.is_leaf(n)) {
       EXPECT_TRUE(node.points.count() <= capacity || farthest == 0) << node.points.count();
       continue;
