@@ -1,0 +1,74 @@
+#include "mote/models/induced_velocity.hpp"
+
+#include <algorithm>
+
+#include "mote/particles/failure.hpp"
+#include "mote/sums/periodic_vortices.hpp"
+
+namespace mote {
+namespace {
+
+/// In an unbounded fluid.
+template <int D>
+class FreeVortices final : public InducedVelocity<D> {
+ public:
+  explicit FreeVortices(const VelocitySumOptions& options)
+      : direct_({SumMethod::direct, options.tolerance}, options.core),
+        multipole_({SumMethod::multipole, options.tolerance}, options.core),
+        method_(options.method) {}
+
+  void at_sources(const Sources<D>& sources, const VelocityField& result) override {
+    const bool many = sources.position.size() > D * few;
+    const bool fast = method_ == "multipole" || (method_ == "automatic" && many);
+    (fast ? multipole_ : direct_).at_sources(sources, result);
+  }
+
+ private:
+  /// Vortices up to which summing pair by pair is about as fast, and exact.
+  static constexpr std::size_t few = 6000;
+
+  BiotSavart<D> direct_, multipole_;
+  std::string method_;
+};
+
+/// In a box with all images.
+class BoxedVortices final : public InducedVelocity<2> {
+ public:
+  BoxedVortices(const SpaceStart& start, const std::string& core)
+      : box_({start.upper[0] - start.lower[0], start.upper[1] - start.lower[1]}, core) {}
+
+  void at_sources(const Sources<2>& sources, const VelocityField& result) override {
+    box_.at_sources(sources, result);
+  }
+
+ private:
+  PeriodicVortices box_;
+};
+
+}  // namespace
+
+Choices vortex_core_choices() {
+  return {{"point", "none: a point vortex"}, {"gauss", "exp(-r^2/(2 size^2))/(2 pi size^2)"}};
+}
+
+template <int D>
+std::unique_ptr<InducedVelocity<D>> induced_velocity(const VelocitySumOptions& options,
+                                                     const SpaceStart& start) {
+  const auto axes = std::count(start.periodic.begin(), start.periodic.begin() + D, true);
+  if (axes == 0) return std::make_unique<FreeVortices<D>>(options);
+  if (axes != D)
+    throw InputError("domain.periodic",
+                     "vortices need a domain that is periodic along all axes, or along none");
+  if (options.method != "automatic")
+    throw InputError("model.sum.method",
+                     "a periodic box has a sum of its own, so 'method' has no effect");
+  if (options.core != "point" && options.core != "gauss")
+    throw InputError("model.core.name",
+                     "vortices of a periodic box are points or have the core 'gauss'");
+  return std::make_unique<BoxedVortices>(start, options.core);
+}
+
+template std::unique_ptr<InducedVelocity<2>> induced_velocity<2>(const VelocitySumOptions&,
+                                                                 const SpaceStart&);
+
+}  // namespace mote

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "mote/models/space.hpp"
+#include "mote/options/description.hpp"
+#include "mote/sums/biot_savart.hpp"
+
+namespace mote {
+
+/// Words for the cores of vortices: "point" and those of the list VortexCores.
+Choices vortex_core_choices();
+
+/// The velocity that vortices induce, be it in an unbounded fluid or in a periodic box.
+template <int D>
+class InducedVelocity {
+ public:
+  virtual ~InducedVelocity() = default;
+
+  /// At the vortices themselves, and its gradient if asked for.
+  virtual void at_sources(const Sources<D>& sources, const VelocityField& result) = 0;
+};
+
+struct VelocitySumOptions {
+  std::string method = "automatic";
+  double tolerance = 1e-8;
+  std::string core = "gauss";
+};
+
+/// The sum that fits the domain: in a box that is periodic along all axes with all images, else in
+/// an unbounded fluid. Throws InputError for a domain that is periodic along some axes only.
+template <int D>
+std::unique_ptr<InducedVelocity<D>> induced_velocity(const VelocitySumOptions& options,
+                                                     const SpaceStart& start);
+
+extern template std::unique_ptr<InducedVelocity<2>> induced_velocity<2>(const VelocitySumOptions&,
+                                                                        const SpaceStart&);
+
+}  // namespace mote
