@@ -1,7 +1,9 @@
 #include "mote/models/induced_velocity.hpp"
 
 #include <algorithm>
+#include <vector>
 
+#include "mote/operators/cores/all.hpp"
 #include "mote/particles/failure.hpp"
 #include "mote/sums/periodic_vortices.hpp"
 
@@ -17,18 +19,33 @@ class FreeVortices final : public InducedVelocity<D> {
         multipole_({SumMethod::multipole, options.tolerance}, options.core),
         method_(options.method) {}
 
-  void at_sources(const Sources<D>& sources, const VelocityField& result) override {
-    const bool many = sources.position.size() > D * few;
-    const bool fast = method_ == "multipole" || (method_ == "automatic" && many);
-    (fast ? multipole_ : direct_).at_sources(sources, result);
+  void at_sources(const Sources<D>& sources, std::span<double> velocity) override {
+    sum_for(sources).at_sources(sources, {velocity, {}});
+  }
+
+  /// The curl of the velocity.
+  void vorticity_at_sources(const Sources<D>& sources, std::span<double> vorticity) override {
+    static_assert(D == 2, "the vorticity of space has three components");
+    velocity_.resize(sources.position.size());
+    gradient_.resize(sources.position.size() * D);
+    sum_for(sources).at_sources(sources, {velocity_, gradient_});
+    for (std::size_t i = 0; i < vorticity.size(); ++i)
+      vorticity[i] = gradient_[4 * i + 2] - gradient_[4 * i + 1];
   }
 
  private:
+  BiotSavart<D>& sum_for(const Sources<D>& sources) {
+    const bool many = sources.position.size() > D * few;
+    const bool fast = method_ == "multipole" || (method_ == "automatic" && many);
+    return fast ? multipole_ : direct_;
+  }
+
   /// Vortices up to which summing pair by pair is about as fast, and exact.
   static constexpr std::size_t few = 6000;
 
   BiotSavart<D> direct_, multipole_;
   std::string method_;
+  std::vector<double> velocity_, gradient_;  ///< work
 };
 
 /// In a box with all images.
@@ -37,8 +54,11 @@ class BoxedVortices final : public InducedVelocity<2> {
   BoxedVortices(const SpaceStart& start, const std::string& core)
       : box_({start.upper[0] - start.lower[0], start.upper[1] - start.lower[1]}, core) {}
 
-  void at_sources(const Sources<2>& sources, const VelocityField& result) override {
-    box_.at_sources(sources, result);
+  void at_sources(const Sources<2>& sources, std::span<double> velocity) override {
+    box_.at_sources(sources, velocity);
+  }
+  void vorticity_at_sources(const Sources<2>& sources, std::span<double> vorticity) override {
+    box_.vorticity_at_sources(sources, vorticity);
   }
 
  private:
@@ -48,7 +68,11 @@ class BoxedVortices final : public InducedVelocity<2> {
 }  // namespace
 
 Choices vortex_core_choices() {
-  return {{"point", "none: a point vortex"}, {"gauss", "exp(-r^2/(2 size^2))/(2 pi size^2)"}};
+  Choices choices{{"point", "none: a point vortex"}};
+  for_each_type(VortexCores{}, [&]<class Core>() {
+    choices.push_back({std::string(Core::name), std::string(Core::summary)});
+  });
+  return choices;
 }
 
 template <int D>

@@ -19,8 +19,10 @@ class InducedVelocity {
  public:
   virtual ~InducedVelocity() = default;
 
-  /// At the vortices themselves, and its gradient if asked for.
-  virtual void at_sources(const Sources<D>& sources, const VelocityField& result) = 0;
+  /// At the vortices themselves: D numbers each.
+  virtual void at_sources(const Sources<D>& sources, std::span<double> velocity) = 0;
+  /// The vorticity of blobs at the same places.
+  virtual void vorticity_at_sources(const Sources<D>& sources, std::span<double> vorticity) = 0;
 };
 
 struct VelocitySumOptions {

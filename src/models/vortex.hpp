@@ -70,7 +70,7 @@ class Vortex final : public Model {
   std::vector<double> circulation_rate_;
   std::vector<Evolving> drifted_, kicked_;
 
-  double time_ = 0;        ///< that the state is of, or the step begins at
+  double time_ = 0;       ///< that the state is of, or the step begins at
   double core_at_start_;  ///< of the step
 
   /// For which the velocities have been summed.

@@ -41,8 +41,7 @@ class Exchange final : public VortexDiffusion<D> {
     constexpr std::size_t strengths = VortexList<D>::strengths;
     neighbours_.find(vortices);
     note_work(neighbours_.lists(), work_);
-    const double scale =
-        4 * viscosity_ / (range_ * range_) / std::pow(std::sqrt(pi) * range_, D);
+    const double scale = 4 * viscosity_ / (range_ * range_) / std::pow(std::sqrt(pi) * range_, D);
     const auto volume = vortices.volume(), circulation = vortices.circulation();
 #pragma omp parallel for schedule(static) if (parallel_from <= vortices.count())
     for (Index i = 0; i < vortices.count(); ++i) {
@@ -50,7 +49,8 @@ class Exchange final : public VortexDiffusion<D> {
       std::array<double, strengths> sum{};
       for (const Index k : neighbours_.lists()[i]) {
         const auto other = static_cast<std::size_t>(neighbours_.owner(k));
-        const double squared = (neighbours_.points().at(i) - neighbours_.points().at(k)).squaredNorm();
+        const double squared =
+            (neighbours_.points().at(i) - neighbours_.points().at(k)).squaredNorm();
         const double weight = std::exp(-squared / (range_ * range_));
         for (std::size_t c = 0; c < strengths; ++c)
           sum[c] += weight * (volume[own] * circulation[other * strengths + c] -
@@ -151,7 +151,8 @@ class RandomWalk final : public VortexDiffusion<D> {
     const auto size = static_cast<std::ptrdiff_t>(position.size());
 #pragma omp parallel for schedule(static) if (size >= parallel_from)
     for (std::ptrdiff_t k = 0; k < size; ++k)
-      position[static_cast<std::size_t>(k)] += length * normal(stream, static_cast<std::uint64_t>(k));
+      position[static_cast<std::size_t>(k)] +=
+          length * normal(stream, static_cast<std::uint64_t>(k));
   }
 
  private:

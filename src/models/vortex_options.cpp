@@ -1,5 +1,6 @@
 #include "mote/models/vortex_options.hpp"
 
+#include "mote/models/induced_velocity.hpp"
 #include "mote/models/vortex.hpp"
 #include "mote/particles/failure.hpp"
 
@@ -29,11 +30,30 @@ const Choices sums{{"automatic", "direct for few vortices, multipole for many"},
                    {"direct", "pair by pair"},
                    {"multipole", "an adaptive fast multipole method"}};
 
+void describe_core(Description& d, VortexOptions& options) {
+  d.variant(
+      {"name", "its form"}, options.core, vortex_core_choices(), [&](const std::string& name) {
+        if (name == "point") return;
+        d.number({"overlap", "its size in spacings; default: 1.5"}, options.overlap, positive);
+        d.number({"size", "its size itself, in place of 'overlap'"}, options.core_size, positive);
+      });
+}
+
 void describe_diffusion(Description& d, VortexOptions& options) {
-  describe_words(d, {"type", "which way"}, options.diffusion, diffusions);
-  d.number({"range", "of particle_strength_exchange, exp(-(r/range)^2), in spacings"},
-           options.exchange_range, {0.8, 10});
-  d.count({"seed", "of random_walk"}, options.seed, not_negative);
+  Choices choices;
+  std::string type;
+  for (const auto& word : diffusions) {
+    choices.push_back({std::string(word.name), std::string(word.summary)});
+    if (word.value == options.diffusion) type = word.name;
+  }
+  d.variant({"type", "which way"}, type, choices, [&](const std::string& chosen) {
+    for (const auto& word : diffusions)
+      if (word.name == chosen) options.diffusion = word.value;
+    if (chosen == "particle_strength_exchange")
+      d.number({"range", "of the exchange, exp(-(r/range)^2), in spacings"}, options.exchange_range,
+               {0.8, 10});
+    if (chosen == "random_walk") d.count({"seed", "of its steps"}, options.seed, not_negative);
+  });
 }
 
 void describe_remeshing(Description& d, VortexOptions& options) {
@@ -53,11 +73,8 @@ void describe_vortex(Description& d, SingleVortex& vortex) {
 }  // namespace
 
 void VortexOptions::describe(Description& d) {
-  d.section({"core", "how the circulation of a vortex is spread"}, [&] {
-    d.choice({"name", "its form"}, core, vortex_core_choices());
-    d.number({"overlap", "its size in spacings; default: 1.5"}, overlap, positive);
-    d.number({"size", "its size itself, in place of 'overlap'"}, core_size, positive);
-  });
+  d.section({"core", "how the circulation of a vortex is spread"},
+            [&] { describe_core(d, *this); });
   d.section({"sum", "how velocities are summed in the unbounded plane"}, [&] {
     d.choice({"method", "which way"}, sum, sums);
     d.number({"tolerance", "of the multipole method: error over the largest velocity"}, tolerance,
@@ -80,15 +97,15 @@ void VortexOptions::describe(Description& d) {
 }
 
 void VortexOptions::check() const {
-  if (overlap && core_size) refuse("core.size", "'size' and 'overlap' both say how large cores are");
-  if (core == "point" && (overlap || core_size))
-    refuse(overlap ? "core.overlap" : "core.size", "a point has no size");
+  if (overlap && core_size)
+    refuse("core.size", "'size' and 'overlap' both say how large cores are");
   if (diffusion != Diffusion::none && kinematic_viscosity == 0)
     refuse("diffusion.type", "nothing diffuses at the viscosity 0: give 'kinematic_viscosity'");
   if (diffusion == Diffusion::none && kinematic_viscosity > 0)
     refuse("kinematic_viscosity", "the viscosity has no effect without a type of 'diffusion'");
   if (diffusion == Diffusion::core_spreading && core != "gauss")
-    refuse("core.name", "core_spreading needs the core 'gauss', which stays what it is as it grows");
+    refuse("core.name",
+           "core_spreading needs the core 'gauss', which stays what it is as it grows");
   if (remeshing == Remeshing::gauss && diffusion != Diffusion::core_spreading)
     refuse("remesh.kernel", "the kernel 'gauss' makes up for core_spreading, and there is none");
 }

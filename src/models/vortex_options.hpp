@@ -60,6 +60,7 @@ class VortexRecipe final : public ModelRecipe {
 
   bool lives_on_a_line() const override { return false; }
   bool step_suffices() const override { return true; }
+  bool has_circulation() const override { return true; }
   void describe(Description& description) override { options.describe(description); }
   std::vector<InitialField> initial_fields(int dimension) const override;
   std::vector<std::string> conserved_names(int dimension) const override;

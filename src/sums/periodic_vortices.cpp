@@ -77,7 +77,8 @@ void PeriodicVortices::place(const Sources<2>& sources) {
 /// Eight points side by side; behind the last one it is repeated.
 PeriodicVortices::Pack PeriodicVortices::pack_at(std::size_t first) const {
   const auto of = [&](double Point::*value) {
-    return Lanes([&](std::size_t k) { return points_[std::min(first + k, points_.size() - 1)].*value; });
+    return Lanes(
+        [&](std::size_t k) { return points_[std::min(first + k, points_.size() - 1)].*value; });
   };
   return {of(&Point::x),      of(&Point::y),       of(&Point::sine),
           of(&Point::cosine), of(&Point::growing), of(&Point::falling)};
@@ -112,8 +113,10 @@ void PeriodicVortices::add(const Pair& pair, double circulation, std::array<Lane
     v += product * inverse;
   };
   add_row(pair.sinh, pair.cosh);
-  add_row(pair.sinh * row_cosh_ - pair.cosh * row_sinh_, pair.cosh * row_cosh_ - pair.sinh * row_sinh_);
-  add_row(pair.sinh * row_cosh_ + pair.cosh * row_sinh_, pair.cosh * row_cosh_ + pair.sinh * row_sinh_);
+  add_row(pair.sinh * row_cosh_ - pair.cosh * row_sinh_,
+          pair.cosh * row_cosh_ - pair.sinh * row_sinh_);
+  add_row(pair.sinh * row_cosh_ + pair.cosh * row_sinh_,
+          pair.cosh * row_cosh_ + pair.sinh * row_sinh_);
   const Lanes sine = 2 * product, cosine = 1 - 2 * square;
   const Lanes sinh = 2 * pair.sinh * pair.cosh, cosh = 1 + 2 * pair.sinh * pair.sinh;
   Lanes sine_n = sine, cosine_n = cosine, sinh_n = sinh, cosh_n = cosh;
@@ -139,8 +142,8 @@ void PeriodicVortices::add_core(const Pair& pair, double circulation,
   const double reach = core_reach * core_size_;
   if (simd::none_of(squared < reach * reach)) return;
   simd::where(squared == 0.0, squared) = 1;
-  const Lanes lack = circulation / (2 * pi) *
-                     simd::exp(squared * (-0.5 / (core_size_ * core_size_))) / squared;
+  const Lanes lack =
+      circulation / (2 * pi) * simd::exp(squared * (-0.5 / (core_size_ * core_size_))) / squared;
   sums[0] += lack * pair.y;
   sums[1] -= lack * pair.x;
 }

@@ -15,9 +15,9 @@ namespace mote {
 /// the velocity has no mean over the box.
 ///
 /// With periods L and H >= L, a = 2 pi y/L, t = 2 pi x/L, b = 2 pi H/L, a row of vortices along x
-/// induces Gamma/(2 L) (-sinh a, sin t)/(cosh a - cos t). The rows m = -1, 0, 1 are summed so, those
-/// beyond by their Fourier series with K_n = exp(-2 n b)/(1 - exp(-n b)), and the uniform vorticity
-/// -Gamma/(L H) makes the sum periodic:
+/// induces Gamma/(2 L) (-sinh a, sin t)/(cosh a - cos t). The rows m = -1, 0, 1 are summed so,
+/// those beyond by their Fourier series with K_n = exp(-2 n b)/(1 - exp(-n b)), and the uniform
+/// vorticity -Gamma/(L H) makes the sum periodic:
 ///   u = Gamma/(2 L) [-sum_m sinh a_m/(cosh a_m - cos t) + 4 sum_n K_n sinh(n a) cos(n t)]
 ///       + Gamma y/(L H),
 ///   v = Gamma/(2 L) [ sum_m sin t/(cosh a_m - cos t) + 4 sum_n K_n cosh(n a) sin(n t)],
@@ -51,9 +51,9 @@ class PeriodicVortices {
   void add(const Pair& pair, double circulation, std::array<Lanes, 2>& sums) const;
   void add_core(const Pair& pair, double circulation, std::array<Lanes, 2>& sums) const;
 
-  bool turned_;            ///< whether the box lies on its side, so that H >= L
+  bool turned_;  ///< whether the box lies on its side, so that H >= L
   double length_, height_;
-  std::array<double, 3> far_{};                         ///< K_n
+  std::array<double, 3> far_{};              ///< K_n
   double row_growth_, row_cosh_, row_sinh_;  ///< exp, cosh, sinh of b/2
   bool has_cores_;
   double core_size_ = 0;

@@ -1,0 +1,115 @@
+#include "mote/models/vortex_moments.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "mote/models/fixed_sum.hpp"
+#include "mote/operators/cores/all.hpp"
+
+namespace mote {
+namespace {
+
+Vec<2> at(std::span<const double> values, Index i) {
+  return Vec<2>::Map(values.data() + std::ptrdiff_t{i} * 2);
+}
+
+/// Sum over j != i of Gamma_j times what `potential` gives for a pack of squared distances.
+template <class Potential>
+double potential_at(Index i, std::span<const double> position, std::span<const double> circulation,
+                    Potential potential) {
+  const auto count = circulation.size();
+  const Vec<2> own = at(position, i);
+  Lanes sum = 0;
+  for (std::size_t first = 0; first < count; first += lane_count) {
+    const auto of = [&](auto value) {
+      return Lanes([&](std::size_t k) { return first + k < count ? value(first + k) : 0.0; });
+    };
+    const Lanes x = of([&](std::size_t j) { return position[2 * j]; }) - own[0];
+    const Lanes y = of([&](std::size_t j) { return position[2 * j + 1]; }) - own[1];
+    const Lanes strength =
+        of([&](std::size_t j) { return j == static_cast<std::size_t>(i) ? 0.0 : circulation[j]; });
+    sum += strength * potential(x * x + y * y);
+  }
+  return sum_of(sum);
+}
+
+template <class Potential>
+double hamiltonian(std::span<const double> position, std::span<const double> circulation,
+                   Potential potential) {
+  const double sum = fixed_sum(static_cast<Index>(circulation.size()), 0.0, [&](Index i) {
+    return circulation[static_cast<std::size_t>(i)] *
+           potential_at(i, position, circulation, potential);
+  });
+  return -sum / (4 * std::numbers::pi);
+}
+
+}  // namespace
+
+Mat<2> VortexMoments::spread() const {
+  return second / circulation - centre() * centre().transpose();
+}
+
+double VortexMoments::axis() const {
+  const Mat<2> m = spread();
+  return 0.5 * std::atan2(2 * m(0, 1), m(0, 0) - m(1, 1));
+}
+
+/// With p = m_xx - m_yy and q = 2 m_xy, the axis is atan2(q, p)/2. The centre stays: vortices do
+/// not move it.
+double VortexMoments::axis_rate() const {
+  const Mat<2> m = spread();
+  const Mat<2> rate = second_rate / circulation;
+  const double p = m(0, 0) - m(1, 1), q = 2 * m(0, 1), square = p * p + q * q;
+  if (square == 0) return 0;
+  return 0.5 * (p * 2 * rate(0, 1) - q * (rate(0, 0) - rate(1, 1))) / square;
+}
+
+VortexMoments vortex_moments(std::span<const double> position, std::span<const double> circulation,
+                             std::span<const double> velocity) {
+  const auto count = static_cast<Index>(circulation.size());
+  const auto sum = [&](auto zero, auto term) {
+    return fixed_sum(count, zero, [&](Index i) {
+      return decltype(zero)(term(circulation[static_cast<std::size_t>(i)], at(position, i), i));
+    });
+  };
+  using V = const Vec<2>&;
+  VortexMoments m;
+  m.circulation = sum(0.0, [](double strength, V, Index) { return strength; });
+  m.magnitude = sum(0.0, [](double strength, V, Index) { return std::abs(strength); });
+  m.first = sum(m.first, [](double strength, V x, Index) -> Vec<2> { return strength * x; });
+  m.first_magnitude =
+      sum(0.0, [](double strength, V x, Index) { return std::abs(strength) * x.norm(); });
+  m.second = sum(
+      m.second, [](double strength, V x, Index) -> Mat<2> { return strength * x * x.transpose(); });
+  if (velocity.empty()) return m;
+  m.second_rate = sum(m.second_rate, [&](double strength, V x, Index i) -> Mat<2> {
+    const Mat<2> part = strength * at(velocity, i) * x.transpose();
+    return part + part.transpose();
+  });
+  return m;
+}
+
+double vortex_hamiltonian(std::span<const double> position, std::span<const double> circulation,
+                          std::string_view core, double core_size) {
+  namespace simd = std::experimental;
+  const double squared = core_size * core_size, shift = std::log(core_size);
+  double value = 0;
+  bool known = core == "point";
+  if (known)
+    value = hamiltonian(position, circulation, [](Lanes distance) {
+      simd::where(distance == 0.0, distance) = 1;
+      return Lanes(0.5 * simd::log(distance));
+    });
+  for_each_type(VortexCores{}, [&]<class Core>() {
+    if (Core::name != core) return;
+    known = true;
+    value = hamiltonian(position, circulation, [&](const Lanes& distance) {
+      return Lanes(shift + Core::template potential<2>(distance / squared));
+    });
+  });
+  if (!known) throw std::invalid_argument("there is no core " + std::string(core));
+  return value;
+}
+
+}  // namespace mote
