@@ -28,7 +28,7 @@ struct GaussCore {
   template <int D>
   [[gnu::always_inline]] static Lanes blob(const Lanes& rho_squared) {
     constexpr double sphere = (D == 2 ? 2 : 4) * std::numbers::pi;
-    return peak<D> / sphere * exponential(-min(0.5 * rho_squared, Lanes(700)));
+    return peak<D> / sphere * exponential(-at_most(700, 0.5 * rho_squared));
   }
   template <int D>
   [[gnu::always_inline]] static Lanes potential(const Lanes& rho_squared) {

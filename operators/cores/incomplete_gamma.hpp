@@ -52,7 +52,7 @@ inline constexpr auto tail = chebyshev_fit<20>([](long double z) {
 /// Gamma(a, x) e^x x^-a for gamma_split <= x <= no_tail, and beyond it the value there.
 template <int twice_a>
 [[gnu::always_inline]] inline Lanes scaled_tail(const Lanes& x) {
-  const Lanes inverse = 1 / (min(x, Lanes(no_tail)) + shift);
+  const Lanes inverse = 1 / (at_most(no_tail, x) + shift);
   return inverse * polynomial(tail<twice_a>, (inverse - middle) * (1 / half_width));
 }
 
@@ -64,7 +64,7 @@ template <int c>
 /// sum_k (-x)^k/(k! (2k + c)) for x >= gamma_split, from c = 1 or 2 upwards.
 template <int c>
 [[gnu::always_inline]] inline Lanes far_series(const Lanes& x) {
-  const Lanes decay = exponential(-min(x, Lanes(700)));
+  const Lanes decay = exponential(-at_most(700, x));
   if constexpr (c == 1) {
     constexpr double half_root_of_pi = 0.5 / std::numbers::inv_sqrtpi;
     return half_root_of_pi / sqrt(x) - 0.5 * decay * scaled_tail<1>(x);
@@ -81,10 +81,10 @@ template <int c>
 template <int c>
 [[gnu::always_inline]] inline Lanes gamma_series(const Lanes& x) {
   if constexpr (c == 2) {
-    const Lanes positive = max(x, Lanes(1e-300));
-    return exponential_rise(min(positive, Lanes(700))) / (2 * positive);
+    const Lanes positive = at_least(1e-300, x);
+    return exponential_rise(at_most(700, positive)) / (2 * positive);
   } else {
-    Lanes sum = gamma_fits::far_series<c>(max(x, Lanes(gamma_split)));
+    Lanes sum = gamma_fits::far_series<c>(at_least(gamma_split, x));
     where(x < gamma_split, sum) = gamma_fits::near_series<c>(x);
     return sum;
   }
@@ -92,7 +92,7 @@ template <int c>
 
 /// ln 2x + E1(x), finite at x = 0.
 [[gnu::always_inline]] inline Lanes smooth_logarithm(const Lanes& x) {
-  const Lanes far = max(x, Lanes(gamma_split)), decay = exponential(-min(far, Lanes(700)));
+  const Lanes far = at_least(gamma_split, x), decay = exponential(-at_most(700, far));
   Lanes sum = logarithm(2 * far) + decay * gamma_fits::scaled_tail<0>(far);
   constexpr double at_0 = std::numbers::ln2_v<long double> - std::numbers::egamma_v<long double>;
   where(x < gamma_split, sum) =

@@ -29,6 +29,16 @@ using LaneBits = std::experimental::fixed_size_simd<std::int64_t, lane_count>;
   return {numbers, std::experimental::element_aligned};
 }
 
+/// The numbers, but no more, or no less, than the bound. (min and max of the library are calls.)
+[[gnu::always_inline]] inline Lanes at_most(double bound, Lanes x) {
+  where(x > bound, x) = bound;
+  return x;
+}
+[[gnu::always_inline]] inline Lanes at_least(double bound, Lanes x) {
+  where(x < bound, x) = bound;
+  return x;
+}
+
 namespace lane_constants {
 inline constexpr double to_integer = 0x1.8p52;  ///< added, it leaves a whole number in the low bits
 inline constexpr std::int64_t one = 0x3ff0000000000000;  ///< the bits of 1

@@ -1,10 +1,13 @@
 #include "mote/models/induced_velocity.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <vector>
 
+#include "mote/models/fixed_sum.hpp"
 #include "mote/operators/cores/all.hpp"
 #include "mote/particles/failure.hpp"
+#include "mote/sums/gravity.hpp"
 #include "mote/sums/periodic_vortices.hpp"
 
 namespace mote {
@@ -20,7 +23,7 @@ class FreeVortices final : public InducedVelocity<D> {
         method_(options.method) {}
 
   void at_sources(const Sources<D>& sources, std::span<double> velocity) override {
-    sum_for(sources).at_sources(sources, {velocity, {}});
+    sum_for(sources).velocity.at_sources(sources, {velocity, {}});
   }
 
   /// The curl of the velocity.
@@ -28,13 +31,32 @@ class FreeVortices final : public InducedVelocity<D> {
     static_assert(D == 2, "the vorticity of space has three components");
     velocity_.resize(sources.position.size());
     gradient_.resize(sources.position.size() * D);
-    sum_for(sources).at_sources(sources, {velocity_, gradient_});
+    sum_for(sources).velocity.at_sources(sources, {velocity_, gradient_});
     for (std::size_t i = 0; i < vorticity.size(); ++i)
       vorticity[i] = gradient_[4 * i + 2] - gradient_[4 * i + 1];
   }
 
+  /// The stream function is that of masses: -1/(2 pi) sum_j Gamma_j ln r.
+  std::optional<double> hamiltonian(const Sources<D>& sources) override {
+    static_assert(D == 2, "the energy of vortices in space is another one");
+    potential_.resize(sources.strength.size());
+    sum_for(sources).potential.at_sources(sources, {potential_, {}});
+    const double sum = fixed_sum(static_cast<Index>(potential_.size()), 0.0, [&](Index i) {
+      return sources.strength[static_cast<std::size_t>(i)] *
+             potential_[static_cast<std::size_t>(i)];
+    });
+    return -sum / (4 * std::numbers::pi);
+  }
+
  private:
-  BiotSavart<D>& sum_for(const Sources<D>& sources) {
+  struct Sums {
+    Sums(const SumSettings& settings, const std::string& core)
+        : velocity(settings, core), potential(settings, core) {}
+    BiotSavart<D> velocity;
+    Gravity<D> potential;
+  };
+
+  Sums& sum_for(const Sources<D>& sources) {
     const bool many = sources.position.size() > D * few;
     const bool fast = method_ == "multipole" || (method_ == "automatic" && many);
     return fast ? multipole_ : direct_;
@@ -43,9 +65,9 @@ class FreeVortices final : public InducedVelocity<D> {
   /// Vortices up to which summing pair by pair is about as fast, and exact.
   static constexpr std::size_t few = 6000;
 
-  BiotSavart<D> direct_, multipole_;
+  Sums direct_, multipole_;
   std::string method_;
-  std::vector<double> velocity_, gradient_;  ///< work
+  std::vector<double> velocity_, gradient_, potential_;  ///< work
 };
 
 /// In a box with all images.
@@ -60,6 +82,7 @@ class BoxedVortices final : public InducedVelocity<2> {
   void vorticity_at_sources(const Sources<2>& sources, std::span<double> vorticity) override {
     box_.vorticity_at_sources(sources, vorticity);
   }
+  std::optional<double> hamiltonian(const Sources<2>& /*sources*/) override { return {}; }
 
  private:
   PeriodicVortices box_;

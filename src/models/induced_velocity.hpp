@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -23,6 +24,10 @@ class InducedVelocity {
   virtual void at_sources(const Sources<D>& sources, std::span<double> velocity) = 0;
   /// The vorticity of blobs at the same places.
   virtual void vorticity_at_sources(const Sources<D>& sources, std::span<double> vorticity) = 0;
+
+  /// Whose gradients move the vortices, where it is known: in the unbounded plane
+  /// -1/(4 pi) sum over pairs i != j of Gamma_i Gamma_j ln r_ij, for blobs with their cores.
+  virtual std::optional<double> hamiltonian(const Sources<D>& sources) = 0;
 };
 
 struct VelocitySumOptions {

@@ -1,47 +1,14 @@
 #include "mote/models/vortex_moments.hpp"
 
 #include <cmath>
-#include <numbers>
-#include <stdexcept>
 
 #include "mote/models/fixed_sum.hpp"
-#include "mote/operators/cores/all.hpp"
 
 namespace mote {
 namespace {
 
 Vec<2> at(std::span<const double> values, Index i) {
   return Vec<2>::Map(values.data() + std::ptrdiff_t{i} * 2);
-}
-
-/// Sum over j != i of Gamma_j times what `potential` gives for a pack of squared distances.
-template <class Potential>
-double potential_at(Index i, std::span<const double> position, std::span<const double> circulation,
-                    Potential potential) {
-  const auto count = circulation.size();
-  const Vec<2> own = at(position, i);
-  Lanes sum = 0;
-  for (std::size_t first = 0; first < count; first += lane_count) {
-    const auto of = [&](auto value) {
-      return Lanes([&](std::size_t k) { return first + k < count ? value(first + k) : 0.0; });
-    };
-    const Lanes x = of([&](std::size_t j) { return position[2 * j]; }) - own[0];
-    const Lanes y = of([&](std::size_t j) { return position[2 * j + 1]; }) - own[1];
-    const Lanes strength =
-        of([&](std::size_t j) { return j == static_cast<std::size_t>(i) ? 0.0 : circulation[j]; });
-    sum += strength * potential(x * x + y * y);
-  }
-  return sum_of(sum);
-}
-
-template <class Potential>
-double hamiltonian(std::span<const double> position, std::span<const double> circulation,
-                   Potential potential) {
-  const double sum = fixed_sum(static_cast<Index>(circulation.size()), 0.0, [&](Index i) {
-    return circulation[static_cast<std::size_t>(i)] *
-           potential_at(i, position, circulation, potential);
-  });
-  return -sum / (4 * std::numbers::pi);
 }
 
 }  // namespace
@@ -88,28 +55,6 @@ VortexMoments vortex_moments(std::span<const double> position, std::span<const d
     return part + part.transpose();
   });
   return m;
-}
-
-double vortex_hamiltonian(std::span<const double> position, std::span<const double> circulation,
-                          std::string_view core, double core_size) {
-  namespace simd = std::experimental;
-  const double squared = core_size * core_size, shift = std::log(core_size);
-  double value = 0;
-  bool known = core == "point";
-  if (known)
-    value = hamiltonian(position, circulation, [](Lanes distance) {
-      simd::where(distance == 0.0, distance) = 1;
-      return Lanes(0.5 * simd::log(distance));
-    });
-  for_each_type(VortexCores{}, [&]<class Core>() {
-    if (Core::name != core) return;
-    known = true;
-    value = hamiltonian(position, circulation, [&](const Lanes& distance) {
-      return Lanes(shift + Core::template potential<2>(distance / squared));
-    });
-  });
-  if (!known) throw std::invalid_argument("there is no core " + std::string(core));
-  return value;
 }
 
 }  // namespace mote

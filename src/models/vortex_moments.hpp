@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <string_view>
 
 #include "mote/particles/vector.hpp"
 
@@ -28,11 +27,5 @@ struct VortexMoments {
 /// `velocity` may be empty; then there is no `second_rate`.
 VortexMoments vortex_moments(std::span<const double> position, std::span<const double> circulation,
                              std::span<const double> velocity);
-
-/// -1/(4 pi) sum over pairs i != j of Gamma_i Gamma_j ln r_ij, whose gradients are the velocities:
-/// with cores the logarithm of two points a core apart from each other. `core` is a name of the
-/// list VortexCores, or "point". O(N^2).
-double vortex_hamiltonian(std::span<const double> position, std::span<const double> circulation,
-                          std::string_view core, double core_size);
 
 }  // namespace mote

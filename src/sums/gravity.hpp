@@ -15,8 +15,8 @@ struct GravityField {
   std::span<double> gradient;
 };
 
-/// The potential of masses and its gradient (the acceleration is -G times it), for q(r/core_size) of
-/// a core's mass; lap phi = 2 pi rho in 2D, 4 pi rho in 3D:
+/// The potential of masses and its gradient (the acceleration is -G times it), for q(r/core_size)
+/// of a core's mass; lap phi = 2 pi rho in 2D, 4 pi rho in 3D:
 ///   2D: phi = sum_j m_j ln r,   grad phi = sum_j m_j q x/r^2
 ///   3D: phi = -sum_j m_j/r,     grad phi = sum_j m_j q x/r^3,   for points, x = x_i - x_j.
 /// Keeps its working memory from call to call. Results do not depend on the number of threads.

@@ -12,10 +12,10 @@ namespace mote {
 /// points, what the core says for blobs. `sums` are added to, one for each number that a target
 /// gets.
 template <class K>
-concept PairKernel =
-    requires(const K& kernel, const std::array<Lanes, K::dimension>& difference,
-             const std::array<double, K::strengths>& strength, std::array<Lanes, K::outputs>& sums) {
-      { kernel.add(difference, strength, sums) } -> std::same_as<void>;
-    };
+concept PairKernel = requires(const K& kernel, const std::array<Lanes, K::dimension>& difference,
+                              const std::array<double, K::strengths>& strength,
+                              std::array<Lanes, K::outputs>& sums) {
+  { kernel.add(difference, strength, sums) } -> std::same_as<void>;
+};
 
 }  // namespace mote

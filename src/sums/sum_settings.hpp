@@ -7,9 +7,10 @@ namespace mote {
 
 /// How sums over all pairs of points are formed.
 enum class SumMethod {
-  direct,       ///< pair by pair, in O(N M)
-  power_series, ///< one expansion for all, for sources and targets apart (Tabanjeh 2014, section 7)
-  multipole     ///< an adaptive fast multipole method, in O(N + M)
+  direct,        ///< pair by pair, in O(N M)
+  power_series,  ///< one expansion for all, for sources and targets apart (Tabanjeh 2014, section
+                 ///< 7)
+  multipole      ///< an adaptive fast multipole method, in O(N + M)
 };
 
 /// What `SumMethod` is called, in its order.

@@ -1,0 +1,79 @@
+#include "mote/sums/cauchy.hpp"
+
+#include "mote/sums/pair_shapes.hpp"
+#include "mote/sums/pair_sum.hpp"
+#include "mote/sums/sum_checks.hpp"
+
+namespace mote {
+namespace {
+
+/// v/(s - t).
+struct CauchyKernel {
+  static constexpr int dimension = 2, strengths = 2, outputs = 2;
+
+  [[gnu::always_inline]] void add(const std::array<Lanes, 2>& difference,
+                                  const std::array<double, 2>& strength,
+                                  std::array<Lanes, 2>& sums) const {
+    const auto& [x, y] = difference;
+    const Lanes inverse = PointShape<2>::influence(square_of<2>(difference));
+    sums[0] += (strength[0] * x + strength[1] * y) * inverse;
+    sums[1] += (strength[1] * x - strength[0] * y) * inverse;
+  }
+};
+
+std::span<const double> numbers(std::span<const Complex> values) {
+  return {reinterpret_cast<const double*>(values.data()), 2 * values.size()};
+}
+
+}  // namespace
+
+template <>
+class FarField<CauchyKernel> {
+ public:
+  FarField(const LaurentExpansion& expansion, const double* taylor, double radius)
+      : expansion_(expansion), taylor_(taylor), radius_(radius) {}
+
+  void add(const std::array<Lanes, 2>& offset, std::array<Lanes, 2>& sums) const {
+    const auto values =
+        expansion_.values(taylor_, offset[0] / radius_, offset[1] / radius_, false);
+    sums[0] += values.real;
+    sums[1] += values.imaginary;
+  }
+
+ private:
+  const LaurentExpansion& expansion_;
+  const double* taylor_;
+  double radius_;
+};
+
+class Cauchy::Sum {
+ public:
+  explicit Sum(const SumSettings& settings)
+      : settings(settings),
+        pairs(settings.method, [&] { return LaurentExpansion(settings.tolerance, false); }) {}
+
+  void form(std::span<const Complex> targets, std::span<const Complex> sources,
+            std::span<const Complex> strengths, std::span<Complex> result) {
+    pairs.place(numbers(targets), {numbers(sources), numbers(strengths)});
+    pairs.form(CauchyKernel());
+    pairs.give(0, 2, {reinterpret_cast<double*>(result.data()), 2 * result.size()});
+  }
+
+  SumSettings settings;
+  PairSum<2> pairs;
+};
+
+Cauchy::Cauchy(const SumSettings& settings) : sum_(std::make_unique<Sum>(settings)) {}
+Cauchy::~Cauchy() = default;
+
+void Cauchy::at_sources(std::span<const Complex> points, std::span<const Complex> strengths,
+                        std::span<Complex> result) {
+  sum_->form(points, points, strengths, result);
+}
+
+void Cauchy::at(std::span<const Complex> targets, std::span<const Complex> sources,
+                std::span<const Complex> strengths, std::span<Complex> result) {
+  sum_->form(targets, sources, strengths, result);
+}
+
+}  // namespace mote

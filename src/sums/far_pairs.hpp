@@ -1,0 +1,23 @@
+#pragma once
+
+#include "mote/sums/point_tree.hpp"
+
+namespace mote {
+
+/// A source node far enough from a target node for expansions of `degree` terms.
+template <int D>
+struct FarPair {
+  const double* series;  ///< of the source node
+  Vec<D> distance;       ///< from the source node's centre to the target node's
+  double radius;         ///< of the source node
+  int degree;
+};
+
+/// A child of a node, and its series.
+template <int D>
+struct Child {
+  const TreeNode<D>& node;
+  double* series;
+};
+
+}  // namespace mote

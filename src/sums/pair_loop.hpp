@@ -1,0 +1,133 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "mote/sums/pair_kernel.hpp"
+
+namespace mote {
+
+/// Numbers `begin` to `end` - 1 of columns.
+struct Range {
+  std::size_t begin, end;
+};
+
+/// Where a kernel's sources stand: a column of each component and of each number of the strength.
+template <PairKernel K>
+struct SourceColumns {
+  std::array<const double*, K::dimension> position;
+  std::array<const double*, K::strengths> strength;
+};
+template <PairKernel K>
+using TargetColumns = std::array<const double*, K::dimension>;
+template <PairKernel K>
+using OutputColumns = std::array<double*, K::outputs>;
+
+/// How many numbers beyond the end of a column of targets may be read.
+inline constexpr std::size_t column_padding = lane_count;
+
+namespace pair_loop {
+
+/// So many sources stay in the first cache while all targets pass by; their sum is formed apart
+/// and then added, which also keeps the errors of rounding small.
+inline constexpr std::size_t sources_at_once = 512;
+
+/// How many packs of targets share a source. What they need must fit into registers.
+template <PairKernel K>
+inline constexpr std::size_t packs_at_once =
+    std::clamp<std::size_t>(20 / (K::dimension + K::outputs), 1, 4);
+
+/// Calls visit(integral_constant<0>), visit(integral_constant<1>) ...: places in arrays known to
+/// the compiler, so that their elements can stay in registers.
+template <std::size_t Count, class Visit>
+[[gnu::always_inline]] inline void unrolled(Visit visit) {
+  [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
+    (visit(std::integral_constant<std::size_t, I>{}), ...);
+  }
+  (std::make_index_sequence<Count>{});
+}
+
+/// Adds the first `count` lanes, or all.
+[[gnu::always_inline]] inline void add_to_column(const Lanes& sum, double* column,
+                                                 std::size_t count) {
+  if (count >= lane_count) {
+    const Lanes before(column, std::experimental::element_aligned);
+    (before + sum).copy_to(column, std::experimental::element_aligned);
+  } else {
+    double part[lane_count];
+    sum.copy_to(part, std::experimental::element_aligned);
+    for (std::size_t k = 0; k < count; ++k) column[k] += part[k];
+  }
+}
+
+/// Adds what the sources do to `Packs` packs of targets, the last of which may be filled in part.
+template <std::size_t Packs, PairKernel K>
+void add_to_packs(const K& kernel, const TargetColumns<K>& targets, Range target,
+                  const SourceColumns<K>& sources, Range range, const OutputColumns<K>& outputs) {
+  std::array<std::array<Lanes, K::dimension>, Packs> place;
+  std::array<std::array<Lanes, K::outputs>, Packs> sums;
+  unrolled<Packs>([&](auto p) __attribute__((always_inline)) {
+    unrolled<K::dimension>([&](auto d) __attribute__((always_inline)) {
+      place[p][d].copy_from(targets[d] + target.begin + p * lane_count,
+                            std::experimental::element_aligned);
+    });
+    unrolled<K::outputs>([&](auto c) __attribute__((always_inline)) { sums[p][c] = 0; });
+  });
+  for (std::size_t j = range.begin; j < range.end; ++j) {
+    std::array<double, K::strengths> strength;
+    unrolled<K::strengths>([&](auto s) __attribute__((always_inline)) {
+      strength[s] = sources.strength[s][j];
+    });
+    unrolled<Packs>([&](auto p) __attribute__((always_inline)) {
+      std::array<Lanes, K::dimension> difference;
+      unrolled<K::dimension>([&](auto d) __attribute__((always_inline)) {
+        difference[d] = place[p][d] - sources.position[d][j];
+      });
+      kernel.add(difference, strength, sums[p]);
+    });
+  }
+  unrolled<Packs>([&](auto p) __attribute__((always_inline)) {
+    const std::size_t first = target.begin + p * lane_count;
+    unrolled<K::outputs>([&](auto c) __attribute__((always_inline)) {
+      add_to_column(sums[p][c], outputs[c] + first, target.end - first);
+    });
+  });
+}
+
+/// The last packs, too few for a full group.
+template <std::size_t Packs, PairKernel K>
+void add_to_rest(const K& kernel, const TargetColumns<K>& targets, Range target,
+                 const SourceColumns<K>& sources, Range range, const OutputColumns<K>& outputs) {
+  if constexpr (Packs > 0) {
+    if (packs_for(target.end - target.begin) == Packs)
+      add_to_packs<Packs>(kernel, targets, target, sources, range, outputs);
+    else
+      add_to_rest<Packs - 1>(kernel, targets, target, sources, range, outputs);
+  }
+}
+
+}  // namespace pair_loop
+
+/// Adds to every target of a range what every source of a range does to it, in the order of the
+/// sources. Outputs beyond the range are left alone; the columns of targets are read up to
+/// `column_padding` numbers beyond it.
+template <PairKernel K>
+void add_pairs(const K& kernel, const TargetColumns<K>& targets, Range target_range,
+               const SourceColumns<K>& sources, Range source_range,
+               const OutputColumns<K>& outputs) {
+  using namespace pair_loop;
+  constexpr std::size_t group = packs_at_once<K> * lane_count;
+  for (std::size_t first = source_range.begin; first < source_range.end; first += sources_at_once) {
+    const Range block{first, std::min(first + sources_at_once, source_range.end)};
+    std::size_t target = target_range.begin;
+    for (; target + group <= target_range.end; target += group)
+      add_to_packs<packs_at_once<K>>(kernel, targets, {target, target + group}, sources, block,
+                                     outputs);
+    add_to_rest<packs_at_once<K>>(kernel, targets, {target, target_range.end}, sources, block,
+                                  outputs);
+  }
+}
+
+}  // namespace mote
