@@ -59,9 +59,8 @@ std::vector<Reading> Vortex<D>::readings() const {
     readings.push_back({"impulse_y", -m.first[0]});
   }
   if (!keeps_angular_impulse()) readings.push_back({"angular_impulse", -0.5 * m.second.trace()});
-  readings.push_back(
-      {"hamiltonian", vortex_hamiltonian(vortices_.position(), vortices_.circulation(),
-                                         options_.core, vortices_.core_size())});
+  if (const auto hamiltonian = induced_->hamiltonian(sources()))
+    readings.push_back({"hamiltonian", *hamiltonian});
   if (is_a_pair_) {
     const Vec<D> apart = vortices_.place(1) - vortices_.place(0);
     readings.push_back({"separation", apart.norm()});

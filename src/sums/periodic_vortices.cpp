@@ -151,7 +151,7 @@ void PeriodicVortices::add_core(const Pair& pair, double circulation,
 void PeriodicVortices::at_sources(const Sources<2>& sources, std::span<double> velocity) {
   place(sources);
   const auto packs = static_cast<Index>(packs_for(points_.size()));
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (packs > 4)
   for (Index p = 0; p < packs; ++p) {
     const std::size_t first = static_cast<std::size_t>(p) * lane_count;
     const Pack targets = pack_at(first);
