@@ -6,20 +6,27 @@ from matplotlib.colors import ListedColormap
 from run_plots.raster import Raster
 from run_plots.reading import FlowSnapshot, label, read_columns
 
-COLOURS = {"speed": "viridis", "pressure": "coolwarm"}
+COLOURS = {"speed": "viridis", "pressure": "coolwarm", "vorticity": "RdBu_r"}
 NOT_OBSERVED = ("time", "step", "kinetic_energy", "potential_energy", "compression_energy",
                 "viscous_power", "highest_speed", "removed",
                 "volume_error", "divergence", "iterations", "residual", "solver_share",
-                "angular_momentum")  # nor what is conserved
+                "angular_momentum", "vortices", "impulse_x", "impulse_y",
+                "angular_impulse")  # nor what is conserved
+VORTEX_UNITS = {"hamiltonian": "m⁴/s²", "second_moment": "m²", "separation": "m", "angle": "rad",
+                "rotation_rate": "1/s"}  # of readings that are what their names say
 OUTLIERS = 0.2  # per cent of the particles at each end whose colour may be that of the limit
 SLANT = 0.35  # how far one metre away goes up and to the right in the view of three dimensions
 WIDTH = 7.0  # inches
 
 
 def colour_limits(name, values):
-    """Speeds from 0; a few outliers do not take the colours from all others."""
+    """Speeds from 0, vorticity to both sides of it; a few outliers do not take the colours from all
+    others."""
     low, high = np.percentile(values, (OUTLIERS, 100 - OUTLIERS)) if len(values) else (0, 1)
     low = 0 if name == "speed" else low
+    if name == "vorticity":
+        high = max(abs(low), abs(high))
+        low = -high
     return (low, high) if high > low else (low - 0.5, low + 0.5)
 
 
@@ -29,6 +36,8 @@ def fields_of(snapshot):
     fields = {"speed": (np.linalg.norm(velocity, axis=1), snapshot.units["velocity"])}
     if "pressure" in snapshot.fields:
         fields["pressure"] = (snapshot.fields["pressure"], snapshot.units["pressure"])
+    if snapshot.fields.get("vorticity", np.empty((0, 0))).ndim == 1:  # a number in a plane
+        fields["vorticity"] = (snapshot.fields["vorticity"], snapshot.units["vorticity"])
     return fields
 
 
@@ -39,8 +48,11 @@ class Panel:
         self.chosen, self.places, self.depth = chosen, places[chosen], depth
         self.axes_names, self.radius = axes_names, snapshot.spacing / 2
         self.fluid = snapshot.fluid[chosen]
-        self.raster = Raster(self.places.min(axis=0) - self.radius,
-                             self.places.max(axis=0) + self.radius)
+        lower, upper = self.places.min(axis=0) - self.radius, self.places.max(axis=0) + self.radius
+        if "vorticity" in snapshot.fields:  # a few vortices may stand in a line
+            lacking = np.maximum(0, (upper - lower).max() / 2 - (upper - lower)) / 2
+            lower, upper = lower - lacking, upper + lacking
+        self.raster = Raster(lower, upper)
         if snapshot.spacing < 16 * self.raster.pixel:  # gaps of single pixels would make patterns
             self.radius = snapshot.spacing / 2 ** 0.5
 
@@ -80,6 +92,8 @@ def panels_of(snapshot, fields):
 
 def quantity_of(column):
     """What a probe's column is, by its name; a place is that of a surface or a front."""
+    if column in VORTEX_UNITS:
+        return column
     for field in ("pressure", "velocity", "density"):
         if f"_{field}" in column:
             return field
@@ -100,7 +114,7 @@ def observed(history, summary):
 def unit_of(quantity, dimension):
     """In a plane all is per length of the third dimension."""
     per_length = "/m" if dimension == 2 else ""
-    return {"kinetic_energy": "J" + per_length, "force": "N" + per_length, "pressure": "Pa",
+    return {**VORTEX_UNITS, "kinetic_energy": "J" + per_length, "force": "N" + per_length, "pressure": "Pa",
             "density": "kg/m³", "velocity": "m/s", "speed": "m/s", "place": "m"}[quantity]
 
 
@@ -129,7 +143,7 @@ def arrange(panels, kinds):
 
 def draw_flow(folder, shown, summary):
     """The figure: speed and pressure of the particles, and the history of the run."""
-    snapshot = FlowSnapshot(shown, ("velocity", "pressure"))
+    snapshot = FlowSnapshot(shown, ("velocity", "pressure", "vorticity"))
     fields = fields_of(snapshot)
     panels = panels_of(snapshot, fields)
     history = read_columns(folder / "history.csv")

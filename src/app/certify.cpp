@@ -52,11 +52,11 @@ std::vector<double> places_of(const Cloud& cloud, const std::vector<Index>& part
   return places;
 }
 
-/// The exact fields of these particles: on a line moving points are compared with the solution at
-/// the same points of the material, all others with the one at their places.
+/// The exact fields of these particles: moving points are compared with the solution at the same
+/// points of the material if it knows them, all others with the one at their places.
 Table reference_of(const Simulation& simulation, const std::vector<Index>& particles, double time) {
   const Model& model = simulation.model();
-  if (model.frame() == Frame::lagrangian && model.bodies().empty())
+  if (model.frame() == Frame::lagrangian && simulation.exact()->knows_particles())
     return simulation.exact()->of_particles(time);
   return simulation.exact()->at_places(places_of(model.cloud(), particles), time);
 }

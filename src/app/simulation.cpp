@@ -37,7 +37,7 @@ void refuse_operators_that_do_not_fit(const Scenario& scenario) {
                      fmt::format("{} reaches {:.3g} spacings at this smoothing length: it has no "
                                  "neighbours",
                                  name, rule.reach()));
-  if (made.needs_circulation())
+  if (made.needs_circulation() && !scenario.model->has_circulation())
     throw InputError("operator",
                      fmt::format("{} needs points with circulation, which the model {} has not",
                                  name, scenario.model_type));
@@ -94,7 +94,8 @@ void Simulation::build(const Document& document, const Catalogue& catalogue) {
   refuse_integrator_of_own_steps(scenario_, *model_);
   integrator_ = entry_named(catalogue.integrators, scenario_.time.integrator).make();
   conserved_at_start_ = model_->conserved();
-  if (recipe.lives_on_a_line()) limit_step(document);
+  if (scenario_.time.step) limit_step(document);
+  for (const auto& [key, message] : model_->advice()) warn(document.locate(key), message);
   if (recipe.lives_on_a_line()) make_exact(catalogue);
   make_observer();
 }
@@ -114,10 +115,11 @@ void Simulation::limit_step(const Document& document) {
   }
 }
 
-/// How long the state allows the next step to be; infinite where it does not matter. Models on a
-/// line have no Courant number.
+/// How long the state allows the next step to be; infinite where there is no Courant number: on a
+/// line, and where the scenario's step suffices.
 double Simulation::longest_step(double time) {
-  return model_->longest_step(time, scenario_.time.courant.value_or(1));
+  if (!scenario_.time.courant) return std::numeric_limits<double>::infinity();
+  return model_->longest_step(time, *scenario_.time.courant);
 }
 
 Step Simulation::next_step(std::int64_t frame, std::int64_t number, double time) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "mote/catalogue/exact_flows.hpp"
+#include "mote/catalogue/exact_vortices.hpp"
 #include "mote/catalogue/refined.hpp"
 #include "mote/exact/burgers_cole_hopf.hpp"
 #include "mote/exact/gravitating_sheets.hpp"
@@ -97,6 +98,7 @@ std::vector<ExactEntry> exact_entries() {
                                   {choice_of<BurgersColeHopf>(), fields, burgers_from},
                                   {choice_of<Refined>(), fields, refined_from}};
   std::ranges::move(flow_entries(), std::back_inserter(entries));
+  std::ranges::move(vortex_entries(), std::back_inserter(entries));
   return entries;
 }
 

@@ -5,6 +5,7 @@
 #include <complex>
 #include <numbers>
 
+#include "mote/catalogue/exact_vortices.hpp"
 #include "mote/catalogue/flow_start.hpp"
 #include "mote/exact/couette_start.hpp"
 #include "mote/exact/elliptical_drop.hpp"
@@ -89,6 +90,7 @@ StretchedDrop fitted_drop(const FlowStart& flow) {
 }  // namespace
 
 std::unique_ptr<FlowSolution> taylor_green_from(const FlowSetup& setup) {
+  if (starts_from_vorticity(setup)) return taylor_green_from_vorticity(setup);
   const FlowStart flow(setup, std::string(TaylorGreen::name));
   flow.need_dimension(2);
   flow.need_no_gravity();

@@ -27,6 +27,9 @@ class ExactSolution {
   /// Memory that its answers take beyond a few numbers a particle.
   virtual double bytes_needed() const { return 0; }
 
+  /// Whether `of_particles` has an answer, and not `at_places` alone.
+  virtual bool knows_particles() const { return true; }
+
   /// The fields of the same material points: what moving particles are compared with.
   virtual Table of_particles(double time) const = 0;
 

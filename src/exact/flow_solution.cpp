@@ -7,7 +7,7 @@ namespace mote {
 
 double FlowSolution::valid_until() const { return std::numeric_limits<double>::infinity(); }
 
-Table FlowReference::of_particles(double /*time*/) const {
+Table FlowSolution::of_particles(double /*time*/) const {
   throw std::logic_error("a flow is known by place, not by particle");
 }
 

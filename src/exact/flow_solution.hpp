@@ -27,6 +27,12 @@ class FlowSolution {
   /// The fields at places of `dimension` numbers each: velocity_x, velocity_y[, velocity_z], and
   /// pressure where it is known.
   virtual Table at_places(std::span<const double> position, int dimension, double time) const = 0;
+
+  /// Whether the flow is known by particle too: places and velocities of those of the start, in
+  /// their order, position_x, position_y, velocity_x, ... Without, `of_particles` throws
+  /// std::logic_error.
+  virtual bool knows_particles() const { return false; }
+  virtual Table of_particles(double time) const;
 };
 
 /// A flow as the exact solution that a run in space is compared with, at the places of its
@@ -41,8 +47,8 @@ class FlowReference final : public ExactSolution {
   Table at_places(std::span<const double> position, double time) const override {
     return flow_->at_places(position, dimension_, time);
   }
-  /// Flows are known by place: throws std::logic_error.
-  Table of_particles(double time) const override;
+  bool knows_particles() const override { return flow_->knows_particles(); }
+  Table of_particles(double time) const override { return flow_->of_particles(time); }
   /// A flow has no curve along one line: an empty table.
   Table curve(double /*time*/) const override { return {}; }
 

@@ -46,6 +46,11 @@ struct StepLimit {
   bool advisory = false;
 };
 
+/// What a scenario may not mean as it says it, and the key of it.
+struct Advice {
+  std::string key, message;
+};
+
 /// A number that describes the state, with its name in tables.
 struct Reading {
   std::string name;
@@ -79,6 +84,9 @@ class Model : public System {
 
   /// The longest steps that make sense from this state on.
   virtual std::vector<StepLimit> step_limits() = 0;
+
+  /// What the scenario may not mean as it says it.
+  virtual std::vector<Advice> advice() const { return {}; }
 
   /// What went wrong in the steps so far without stopping them.
   virtual std::vector<std::string> warnings() const { return {}; }
@@ -151,6 +159,11 @@ class ModelRecipe {
   virtual void describe(Description& description) = 0;
   /// Whether the model lives on a line, and not in two or three dimensions.
   virtual bool lives_on_a_line() const { return true; }
+  /// Whether `time.step` alone can say how long steps are, so that without a Courant number the
+  /// state does not shorten them.
+  virtual bool step_suffices() const { return false; }
+  /// Whether its particles have what operators that need circulation need.
+  virtual bool has_circulation() const { return false; }
   virtual std::vector<InitialField> initial_fields(int dimension) const = 0;
   /// The names of what `Model::conserved` will report.
   virtual std::vector<std::string> conserved_names(int dimension) const = 0;

@@ -44,6 +44,13 @@ void Cloud::rearrange(std::span<const Index> order) {
   count_ = static_cast<Index>(order.size());
 }
 
+void Cloud::resize(Index count) {
+  for (Field& field : fields_)
+    field.values.resize(static_cast<std::size_t>(count) *
+                        static_cast<std::size_t>(field.components));
+  count_ = count;
+}
+
 bool Cloud::has(std::string_view name) const {
   return std::ranges::any_of(fields_, [&](const Field& field) { return field.name == name; });
 }

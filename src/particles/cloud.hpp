@@ -44,6 +44,10 @@ class Cloud {
   /// gone. `order` names no particle twice. Spans into the fields stay valid but for their length.
   void rearrange(std::span<const Index> order);
 
+  /// Makes it so many particles: the last ones go, or some with zeros come. Spans into the fields
+  /// are no longer valid.
+  void resize(Index count);
+
   bool has(std::string_view name) const;
   /// The values of a field that exists; std::out_of_range otherwise.
   std::span<double> values(std::string_view name);

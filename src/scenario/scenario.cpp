@@ -74,7 +74,8 @@ void fill_defaults_in_space(Scenario& scenario) {
   auto& particles = scenario.particles;
   if (particles.layout.empty()) particles.layout = "lattice";
   if (particles.layout == "jittered" && !particles.jitter) particles.jitter = 0.2;
-  if (!scenario.time.courant) scenario.time.courant = 0.25;
+  const bool step_is_all = scenario.time.step && scenario.model->step_suffices();
+  if (!scenario.time.courant && !step_is_all) scenario.time.courant = 0.25;
 }
 
 /// What the defaults depend on is known only now.

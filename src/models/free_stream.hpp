@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mote/models/space.hpp"
+
+namespace mote {
+
+/// The velocity u_infinity of (38), Isshiki (2014), by formulas in x, y and t.
+template <int D>
+class FreeStream {
+ public:
+  /// `formulas` holds one a dimension, or none. Throws InputError for another number.
+  FreeStream(const std::vector<std::string>& formulas, const SpaceStart& start);
+
+  bool exists() const { return !formulas_.front().empty(); }
+  /// Adds it to the velocities at these places.
+  void add(std::span<const double> position, double time, std::span<double> velocity) const;
+
+ private:
+  std::vector<std::vector<PlaceFunction>> formulas_;  ///< for every thread, one a dimension
+};
+
+extern template class FreeStream<2>;
+
+}  // namespace mote

@@ -1,0 +1,121 @@
+#include "mote/models/induced_velocity.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <vector>
+
+#include "mote/models/fixed_sum.hpp"
+#include "mote/operators/cores/all.hpp"
+#include "mote/particles/failure.hpp"
+#include "mote/sums/gravity.hpp"
+#include "mote/sums/periodic_vortices.hpp"
+
+namespace mote {
+namespace {
+
+/// In an unbounded fluid.
+template <int D>
+class FreeVortices final : public InducedVelocity<D> {
+ public:
+  explicit FreeVortices(const VelocitySumOptions& options)
+      : direct_({SumMethod::direct, options.tolerance}, options.core),
+        multipole_({SumMethod::multipole, options.tolerance}, options.core),
+        method_(options.method) {}
+
+  void at_sources(const Sources<D>& sources, std::span<double> velocity) override {
+    sum_for(sources).velocity.at_sources(sources, {velocity, {}});
+  }
+
+  /// The curl of the velocity.
+  void vorticity_at_sources(const Sources<D>& sources, std::span<double> vorticity) override {
+    static_assert(D == 2, "the vorticity of space has three components");
+    velocity_.resize(sources.position.size());
+    gradient_.resize(sources.position.size() * D);
+    sum_for(sources).velocity.at_sources(sources, {velocity_, gradient_});
+    for (std::size_t i = 0; i < vorticity.size(); ++i)
+      vorticity[i] = gradient_[4 * i + 2] - gradient_[4 * i + 1];
+  }
+
+  /// The stream function is that of masses: -1/(2 pi) sum_j Gamma_j ln r.
+  std::optional<double> hamiltonian(const Sources<D>& sources) override {
+    static_assert(D == 2, "the energy of vortices in space is another one");
+    potential_.resize(sources.strength.size());
+    sum_for(sources).potential.at_sources(sources, {potential_, {}});
+    const double sum = fixed_sum(static_cast<Index>(potential_.size()), 0.0, [&](Index i) {
+      return sources.strength[static_cast<std::size_t>(i)] *
+             potential_[static_cast<std::size_t>(i)];
+    });
+    return -sum / (4 * std::numbers::pi);
+  }
+
+ private:
+  struct Sums {
+    Sums(const SumSettings& settings, const std::string& core)
+        : velocity(settings, core), potential(settings, core) {}
+    BiotSavart<D> velocity;
+    Gravity<D> potential;
+  };
+
+  Sums& sum_for(const Sources<D>& sources) {
+    const bool many = sources.position.size() > D * few;
+    const bool fast = method_ == "multipole" || (method_ == "automatic" && many);
+    return fast ? multipole_ : direct_;
+  }
+
+  /// Vortices up to which summing pair by pair is about as fast, and exact.
+  static constexpr std::size_t few = 1500;
+
+  Sums direct_, multipole_;
+  std::string method_;
+  std::vector<double> velocity_, gradient_, potential_;  ///< work
+};
+
+/// In a box with all images.
+class BoxedVortices final : public InducedVelocity<2> {
+ public:
+  BoxedVortices(const SpaceStart& start, const std::string& core)
+      : box_({start.upper[0] - start.lower[0], start.upper[1] - start.lower[1]}, core) {}
+
+  void at_sources(const Sources<2>& sources, std::span<double> velocity) override {
+    box_.at_sources(sources, velocity);
+  }
+  void vorticity_at_sources(const Sources<2>& sources, std::span<double> vorticity) override {
+    box_.vorticity_at_sources(sources, vorticity);
+  }
+  std::optional<double> hamiltonian(const Sources<2>& /*sources*/) override { return {}; }
+
+ private:
+  PeriodicVortices box_;
+};
+
+}  // namespace
+
+Choices vortex_core_choices() {
+  Choices choices{{"point", "none: a point vortex"}};
+  for_each_type(VortexCores{}, [&]<class Core>() {
+    choices.push_back({std::string(Core::name), std::string(Core::summary)});
+  });
+  return choices;
+}
+
+template <int D>
+std::unique_ptr<InducedVelocity<D>> induced_velocity(const VelocitySumOptions& options,
+                                                     const SpaceStart& start) {
+  const auto axes = std::count(start.periodic.begin(), start.periodic.begin() + D, true);
+  if (axes == 0) return std::make_unique<FreeVortices<D>>(options);
+  if (axes != D)
+    throw InputError("domain.periodic",
+                     "vortices need a domain that is periodic along all axes, or along none");
+  if (options.method != "automatic")
+    throw InputError("model.sum.method",
+                     "a periodic box has a sum of its own, so 'method' has no effect");
+  if (options.core != "point" && options.core != "gauss")
+    throw InputError("model.core.name",
+                     "vortices of a periodic box are points or have the core 'gauss'");
+  return std::make_unique<BoxedVortices>(start, options.core);
+}
+
+template std::unique_ptr<InducedVelocity<2>> induced_velocity<2>(const VelocitySumOptions&,
+                                                                 const SpaceStart&);
+
+}  // namespace mote

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "mote/models/space.hpp"
+#include "mote/options/description.hpp"
+#include "mote/sums/biot_savart.hpp"
+
+namespace mote {
+
+/// Words for the cores of vortices: "point" and those of the list VortexCores.
+Choices vortex_core_choices();
+
+/// The velocity that vortices induce, be it in an unbounded fluid or in a periodic box.
+template <int D>
+class InducedVelocity {
+ public:
+  virtual ~InducedVelocity() = default;
+
+  /// At the vortices themselves: D numbers each.
+  virtual void at_sources(const Sources<D>& sources, std::span<double> velocity) = 0;
+  /// The vorticity of blobs at the same places.
+  virtual void vorticity_at_sources(const Sources<D>& sources, std::span<double> vorticity) = 0;
+
+  /// Whose gradients move the vortices, where it is known: in the unbounded plane
+  /// -1/(4 pi) sum over pairs i != j of Gamma_i Gamma_j ln r_ij, for blobs with their cores.
+  virtual std::optional<double> hamiltonian(const Sources<D>& sources) = 0;
+};
+
+struct VelocitySumOptions {
+  std::string method = "automatic";
+  double tolerance = 1e-8;
+  std::string core = "gauss";
+};
+
+/// The sum that fits the domain: in a box that is periodic along all axes with all images, else in
+/// an unbounded fluid. Throws InputError for a domain that is periodic along some axes only.
+template <int D>
+std::unique_ptr<InducedVelocity<D>> induced_velocity(const VelocitySumOptions& options,
+                                                     const SpaceStart& start);
+
+extern template std::unique_ptr<InducedVelocity<2>> induced_velocity<2>(const VelocitySumOptions&,
+                                                                        const SpaceStart&);
+
+}  // namespace mote

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "mote/models/free_stream.hpp"
+#include "mote/models/induced_velocity.hpp"
+#include "mote/models/remeshing.hpp"
+#include "mote/models/vortex_diffusion.hpp"
+#include "mote/models/vortex_moments.hpp"
+
+namespace mote {
+
+/// The vortex method: dx/dt = u, (40) of Isshiki (2014), with the velocity of all vortices by the
+/// volume integral of (38) and a free stream. Friction changes circulations, sizes or places
+/// (`VortexDiffusion`); every so many steps the vortices may be put back on a lattice.
+template <int D>
+class Vortex final : public Model {
+ public:
+  /// Throws InputError for a set-up that does not fit.
+  Vortex(const VortexOptions& options, SpaceSetup setup);
+
+  Cloud& cloud() override { return vortices_.cloud(); }
+  const Cloud& cloud() const override { return vortices_.cloud(); }
+  Frame frame() const override { return Frame::lagrangian; }
+
+  std::span<const Evolving> drifted() override { return drifted_; }
+  std::span<const Evolving> kicked() override { return kicked_; }
+  bool drifts_freely() const override { return false; }
+  bool compensates() const override { return options_.remesh_every == 0; }
+  void prepare(double /*time*/) override {}
+  void update_drift_rates(double time) override;
+  void update_kick_rates(double time) override;
+
+  void begin_step(double time, double step) override;
+  void end_step(double time, double step) override;
+  void update_dependent_fields() override;
+  void complete_fields() override;
+  void inspect() const override;
+  void restore(const Cloud& state) override;
+
+  std::vector<Conserved> conserved() const override;
+  std::vector<Reading> readings() const override;
+  std::vector<StepLimit> step_limits() override;
+  double longest_step(double time, double courant) override;
+  std::vector<Advice> advice() const override;
+  PairWork pair_work() const override { return diffusion_->pair_work(); }
+  std::vector<std::string> remarks() const override;
+  std::span<const Body> bodies() const override { return vortices_.start().bodies; }
+  double spacing() const override { return vortices_.start().spacing; }
+  Parameters parameters() const override;
+
+ private:
+  Sources<D> sources() const;
+  void bind();
+  void need_no_net_circulation();
+  double core_size_at(double time) const;
+  void remesh();
+  VortexLatticeOptions lattice() const;
+  VortexMoments moments() const;
+  bool keeps_impulse() const;
+  bool keeps_angular_impulse() const;
+
+  VortexOptions options_;
+  VortexParticles<D> vortices_;
+  std::unique_ptr<InducedVelocity<D>> induced_;
+  std::unique_ptr<VortexDiffusion<D>> diffusion_;
+  FreeStream<D> free_stream_;
+  std::vector<double> circulation_rate_;
+  std::vector<Evolving> drifted_, kicked_;
+
+  double time_ = 0;       ///< that the state is of, or the step begins at
+  double core_at_start_;  ///< of the step
+
+  /// For which the velocities have been summed.
+  struct Summed {
+    double time = 0, core_size = -1;
+    std::vector<double> position, circulation;
+  } summed_;
+
+  bool has_circulation_ = false, is_a_pair_ = false;  ///< at the start
+  struct Course {
+    std::int64_t remeshings = 0;
+    double dropped = 0;
+  } course_;
+};
+
+extern template class Vortex<2>;
+
+}  // namespace mote

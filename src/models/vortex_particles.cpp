@@ -1,0 +1,139 @@
+#include "mote/models/vortex_particles.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mote/particles/failure.hpp"
+
+namespace mote {
+namespace {
+
+void refuse_walls(const SpaceStart& start) {
+  for (const Body& body : start.bodies)
+    if (body.kind == BodyKind::wall)
+      throw InputError("model.type",
+                       fmt::format("vortices know no walls, and '{}' is one", body.name));
+}
+
+}  // namespace
+
+template <int D>
+VortexParticles<D>::VortexParticles(const VortexOptions& options, SpaceStart start)
+    : start_(std::move(start)), cloud_(D, 0) {
+  refuse_walls(start_);
+  const FieldKind kind = D == 2 ? FieldKind::scalar : FieldKind::vector;
+  cloud_.add("velocity", FieldKind::vector, "m/s");
+  cloud_.add("circulation", kind, D == 2 ? "m²/s" : "m³/s");
+  cloud_.add("vorticity", kind, "1/s");
+  cloud_.add("volume", FieldKind::scalar, D == 2 ? "m²" : "m³");
+  cloud_.add("core_size", FieldKind::scalar, "m");
+  cloud_.add("age", FieldKind::scalar, "");
+  cloud_.add("body", FieldKind::scalar, "");
+  VortexList<D> vortices = blobs(options.threshold);
+  add_single(options, vortices);
+  if (vortices.count() == 0)
+    throw InputError("initial.vorticity",
+                     "there is no vortex: neither has 'initial' a vorticity, nor the model "
+                     "'vortices'");
+  replace(vortices);
+  spread_cores(options.core_radius(start_.spacing));
+}
+
+template <int D>
+void VortexParticles<D>::bind() {
+  position_ = cloud_.position();
+  velocity_ = cloud_.values("velocity");
+  circulation_ = cloud_.values("circulation");
+  vorticity_ = cloud_.values("vorticity");
+  volume_ = cloud_.values("volume");
+  core_size_ = cloud_.values("core_size");
+  age_ = cloud_.values("age");
+}
+
+/// A vortex for each particle of the fluid: its vorticity times its cell.
+template <int D>
+VortexList<D> VortexParticles<D>::blobs(double threshold) const {
+  static_assert(D == 2, "the vorticity of space has three components");
+  const double cell = std::pow(start_.spacing, D);
+  std::vector<double> circulation(start_.body.size());
+  double highest = 0;
+  for (std::size_t i = 0; i < circulation.size(); ++i) {
+    Triple place{};
+    std::copy_n(start_.position.begin() + static_cast<std::ptrdiff_t>(i * D), D, place.begin());
+    circulation[i] = cell * start_.initial("vorticity", place);
+    highest = std::max(highest, std::abs(circulation[i]));
+  }
+  VortexList<D> vortices;
+  for (std::size_t i = 0; i < circulation.size(); ++i)
+    if (std::abs(circulation[i]) > threshold * highest)
+      vortices.add({start_.position.data() + i * D, D}, {&circulation[i], 1});
+  return vortices;
+}
+
+template <int D>
+void VortexParticles<D>::add_single(const VortexOptions& options, VortexList<D>& vortices) const {
+  for (std::size_t k = 0; k < options.vortices.size(); ++k) {
+    const SingleVortex& vortex = options.vortices[k];
+    const std::string key = fmt::format("model.vortices.{}.position", k);
+    if (vortex.position.size() != D)
+      throw InputError(key, fmt::format("'position' needs {} numbers, one a dimension, and has {}",
+                                        D, vortex.position.size()));
+    for (std::size_t j = 0; j < k; ++j)
+      if (options.vortices[j].position == vortex.position)
+        throw InputError(key, fmt::format("this vortex and number {} stand on one place", j + 1));
+    vortices.add(vortex.position, {&vortex.circulation, 1});
+  }
+}
+
+template <int D>
+void VortexParticles<D>::spread_cores(double size) {
+  std::ranges::fill(core_size_, size);
+}
+
+template <int D>
+double VortexParticles<D>::highest_density() const {
+  double highest = 0;
+  for (std::size_t i = 0; i < volume_.size(); ++i)
+    for (std::size_t c = 0; c < strengths; ++c)
+      highest = std::max(highest, std::abs(density(i, c)));
+  return highest;
+}
+
+template <int D>
+void VortexParticles<D>::replace(const VortexList<D>& vortices) {
+  const double size = core_size();
+  cloud_.resize(static_cast<Index>(vortices.count()));
+  bind();
+  std::ranges::copy(vortices.position, position_.begin());
+  std::ranges::copy(vortices.circulation, circulation_.begin());
+  std::ranges::fill(volume_, std::pow(start_.spacing, D));
+  std::ranges::fill(age_, 0);
+  std::ranges::fill(cloud_.values("body"), 0);
+  spread_cores(size);
+}
+
+template <int D>
+void VortexParticles<D>::wrap() {
+  if (!in_a_box()) return;
+  for (std::size_t k = 0; k < position_.size(); ++k) {
+    const double lower = start_.lower[k % D], width = start_.upper[k % D] - lower;
+    position_[k] -= width * std::floor((position_[k] - lower) / width);
+  }
+}
+
+template <int D>
+void VortexParticles<D>::restore(const Cloud& state) {
+  for (const Field& field : cloud_.fields())
+    if (!state.has(field.name) || state.count() == 0)
+      throw InputError("this snapshot lacks vortices or the field " + field.name);
+  cloud_.resize(state.count());
+  bind();
+  for (const Field& field : cloud_.fields())
+    std::ranges::copy(state.values(field.name), cloud_.values(field.name).begin());
+}
+
+template class VortexParticles<2>;
+
+}  // namespace mote

@@ -1,0 +1,95 @@
+// Whole runs of vortices: the same bits by any way.
+
+#include "flow_runs.hpp"
+
+namespace mote::test {
+namespace {
+
+/// Blobs that are put on a lattice and exchange circulation, in numbers for several threads.
+constexpr const char* exchanging = R"yaml(name: exchanging
+dimension: 2
+domain: {lower: [-1, -1], upper: [1, 1]}
+particles: {spacing: 0.025, layout: jittered, jitter: 0.2}
+model:
+  type: vortex
+  sum: {method: direct}
+  kinematic_viscosity: 0.001
+  diffusion: particle_strength_exchange
+  remesh: {every: 3}
+  threshold: 1e-4
+  free_stream: ["0.1*cos(t)", "0"]
+initial: {vorticity: "10*exp(-6*(x^2 + 3*y^2))"}
+operator: sph.gauss
+time: {integrator: runge_kutta_4, step: 0.02, end: 0.2}
+output: {every: 0.05, picture: false}
+)yaml";
+
+/// In a box, by an operator.
+constexpr const char* boxed = R"yaml(name: boxed
+dimension: 2
+domain: {lower: [0, 0], upper: [1, 1], periodic: [x, y]}
+particles: {spacing: 0.02}
+model: {type: vortex, kinematic_viscosity: 0.01, diffusion: sph, remesh: {every: 2}}
+initial: {vorticity: "sin(2*pi*x)*sin(2*pi*y)"}
+operator: corrected_sph.wendland_c2
+time: {integrator: predictor_corrector, step: 0.02, end: 0.2}
+output: {every: 0.05, picture: false}
+)yaml";
+
+/// Vortices that move at random, and steps that follow the strongest of them.
+constexpr const char* walking = R"yaml(name: walking
+dimension: 2
+domain: {lower: [-1, -1], upper: [1, 1]}
+particles: {spacing: 0.025}
+model:
+  {type: vortex, sum: {method: direct}, core: algebraic.4, kinematic_viscosity: 0.001,
+   diffusion: {type: random_walk, seed: 3}}
+initial: {vorticity: "10*exp(-6*(x^2 + 3*y^2))"}
+operator: sph.gauss
+time: {integrator: forward_euler, courant: 0.3, end: 0.2}
+output: {every: 0.05, picture: false}
+)yaml";
+
+/// Cores that grow, and give what they have grown by back to the lattice.
+constexpr const char* spreading = R"yaml(name: spreading
+dimension: 2
+domain: {lower: [-1, -1], upper: [1, 1]}
+particles: {spacing: 0.05}
+model:
+  type: vortex
+  sum: {method: direct}
+  kinematic_viscosity: 0.05
+  diffusion: core_spreading
+  remesh: {every: 1, kernel: gauss}
+initial: {vorticity: "10*exp(-6*(x^2 + 3*y^2))"}
+operator: sph.gauss
+time: {integrator: runge_kutta_4, step: 0.02, end: 0.2}
+output: {every: 0.05, picture: false}
+)yaml";
+
+struct VortexRun : FlowRuns, testing::WithParamInterface<const char*> {};
+
+TEST_P(VortexRun, HasTheSameBitsForAnyNumberOfThreads) {
+  const fs::path one = run(GetParam(), "one", {"--threads", "1"});
+  expect_same(one, run(GetParam(), "two", {"--threads", "2"}));
+  expect_same(one, run(GetParam(), "four", {"--threads", "4"}));
+}
+
+TEST_P(VortexRun, HasTheSameBitsAfterAResume) {
+  const fs::path whole = run(GetParam(), "whole", {"--threads", "2"});
+  for (const char* threads : {"1", "4"})
+    expect_same(whole, resumed(whole, std::string("resumed") + threads, threads));
+}
+
+/// Negative control of the comparisons above.
+TEST_P(VortexRun, HasOtherBitsWithAnotherThreshold) {
+  const fs::path one = run(GetParam(), "one");
+  const fs::path other = run(GetParam(), "other", {"--set", "model.threshold=0.002"});
+  EXPECT_NE(read(one / frames.back()), read(other / frames.back()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenarios, VortexRun,
+                         testing::Values(exchanging, boxed, walking, spreading));
+
+}  // namespace
+}  // namespace mote::test

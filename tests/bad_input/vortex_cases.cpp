@@ -1,0 +1,115 @@
+// Vortices that cannot be, and those that may not be meant.
+
+#include "bad_input/harness.hpp"
+
+namespace mote::test {
+namespace {
+
+/// A good vortex with some lines, counted from 1, replaced.
+std::string vortex(const std::map<int, std::string>& edits) {
+  static constexpr std::string_view good[] = {
+      /* 1 */ "name: vortex",
+      /* 2 */ "dimension: 2",
+      /* 3 */ "domain: {lower: [-1, -1], upper: [1, 1]}",
+      /* 4 */ "particles: {spacing: 0.1}",
+      /* 5 */ "model: {type: vortex}",
+      /* 6 */ "initial: {vorticity: \"exp(-9*r^2)\"}",
+      /* 7 */ "operator: vortex_blob.gauss",
+      /* 8 */ "time: {integrator: runge_kutta_4, step: 0.1, end: 0.2}",
+      /* 9 */ "output: {picture: false}",
+      /* 10 */ "check: {against: nothing}"};
+  return with_edits(good, edits);
+}
+
+/// The good vortex with these options of the model.
+std::string model(const std::string& options) {
+  return vortex({{5, "model: {type: vortex, " + options + "}"}});
+}
+
+std::string in_a_box(const std::string& axes, std::map<int, std::string> edits) {
+  edits.emplace(3, "domain: {lower: [-1, -1], upper: [1, 1], periodic: " + axes + "}");
+  return vortex(edits);
+}
+
+class VortexThatCannotBe : public BadScenario {};
+TEST_P(VortexThatCannotBe, IsRefused) { expect_refused(); }
+
+const std::vector<ScenarioCase> vortices{
+    {"unknown_core", model("core: @gaus"), "unknown name 'gaus' (did you mean 'gauss'?)"},
+    {"two_sizes", model("core: {overlap: 2, size: @0.1}"),
+     "'size' and 'overlap' both say how large cores are"},
+    {"size_of_a_point", model("core: {name: point, @overlap: 2}"), "unknown key 'overlap'"},
+    {"diffusion_without_viscosity", model("diffusion: {type: @sph}"),
+     "nothing diffuses at the viscosity 0: give 'kinematic_viscosity'"},
+    {"viscosity_without_diffusion", model("kinematic_viscosity: @0.1"),
+     "the viscosity has no effect without a type of 'diffusion'"},
+    {"spreading_of_another_core",
+     model("core: {name: @algebraic.4}, kinematic_viscosity: 0.1, diffusion: core_spreading"),
+     "core_spreading needs the core 'gauss', which stays what it is as it grows"},
+    {"gauss_kernel_without_spreading", model("remesh: {every: 1, kernel: @gauss}"),
+     "the kernel 'gauss' makes up for core_spreading, and there is none"},
+    {"vortices_on_one_place",
+     model("vortices: [{position: [0, 1], circulation: 1}, {position: @[0, 1], circulation: 2}]"),
+     "this vortex and number 1 stand on one place"},
+    {"place_of_three_numbers", model("vortices: [{position: @[0, 1, 2], circulation: 1}]"),
+     "'position' needs 2 numbers, one a dimension, and has 3"},
+    {"free_stream_of_one_formula", model("free_stream: @[\"1\"]"),
+     "'free_stream' needs 2 formulas, one a dimension, and has 1"},
+    {"no_vortex", vortex({{6, "initial: {vorticity: @\"0\"}"}}),
+     "there is no vortex: neither has 'initial' a vorticity, nor the model 'vortices'"},
+    {"net_circulation_in_a_box",
+     in_a_box("[x, y]", {{6, "initial: {vorticity: @\"1 + sin(pi*x)*sin(pi*y)\"}"}}),
+     "the circulations in a periodic box must add up to 0, and here they come to 4, 1 of their "
+     "magnitudes"},
+    {"box_with_open_sides",
+     vortex({{3, "domain: {lower: [-1, -1], upper: [1, 1], periodic: @[x]}"}}),
+     "vortices need a domain that is periodic along all axes, or along none"},
+    {"method_in_a_box",
+     in_a_box("[x, y]", {{5, "model: {type: vortex, sum: {method: @direct}}"},
+                         {6, "initial: {vorticity: \"sin(pi*x)\"}"}}),
+     "a periodic box has a sum of its own, so 'method' has no effect"},
+    {"core_in_a_box",
+     in_a_box("[x, y]", {{5, "model: {type: vortex, core: {name: @algebraic.2}}"},
+                         {6, "initial: {vorticity: \"sin(pi*x)\"}"}}),
+     "vortices of a periodic box are points or have the core 'gauss'"},
+    {"walls", vortex({{3, "domain: {lower: [-1, -1], upper: [1, 1], walls: [{side: x_lower}]}"},
+                      {5, "model: {type: @vortex}"}}),
+     "vortices know no walls, and 'x_lower' is one"},
+    {"operator_of_circulation_elsewhere",
+     vortex({{5, "model: {type: weakly_compressible, sound_speed: 10}"}, {6, ""},
+             {7, "operator: @vortex_blob.gauss"}}),
+     "vortex_blob.gauss needs points with circulation, which the model weakly_compressible has "
+     "not"},
+    {"pair_that_is_none", vortex({{10, "check: {against: @vortex_pair}"}}),
+     "vortex_pair needs two entries of 'model.vortices' and no vorticity beside them"},
+    {"lamb_oseen_of_an_ellipse",
+     vortex({{6, "initial: {vorticity: \"exp(-9*x^2 - 12*y^2)\"}"},
+             {10, "check: {against: @lamb_oseen}"}}),
+     "lamb_oseen starts from a Gauss function in a domain that holds nearly all of it"},
+    {"kirchhoff_of_a_round_vortex", vortex({{10, "check: {against: @kirchhoff_ellipse}"}}),
+     "kirchhoff_ellipse needs one ellipse of uniform vorticity"}};
+
+INSTANTIATE_TEST_SUITE_P(Table, VortexThatCannotBe, testing::ValuesIn(vortices), by_label);
+
+/// What a run of this scenario answers.
+Outcome outcome_of(const std::string& scenario) {
+  return Workspace(scenario).mote(running({"--out", "out", "--quiet"}));
+}
+
+TEST(VortexOfSmallCores, IsWarnedOf) {
+  const Outcome outcome = outcome_of(model("core: {overlap: 0.5}"));
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.errors.find(":5:23: warning: cores of 0.5 spacings do not overlap"),
+            std::string::npos)
+      << outcome.errors;
+}
+
+/// Negative control: the good vortex runs.
+TEST(VortexOfSmallCores, IsNotEveryVortex) {
+  const Outcome outcome = outcome_of(vortex({}));
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.errors, "");
+}
+
+}  // namespace
+}  // namespace mote::test
