@@ -158,7 +158,7 @@ TEST(VortexPair, TurnsOnceInItsPeriodOrGoesStraightOn) {
   const VortexPair equal({{gamma, gamma}, {{{-1, 0}, {1, 0}}}});
   EXPECT_LT(std::abs(equal.places(period)[0] - std::complex<double>(-1, 0)), 1e-13);
   EXPECT_LT(std::abs(equal.places(period / 2)[0] - std::complex<double>(1, 0)), 1e-13);
-  const VortexPair opposite({{-gamma, gamma}, {{{-1, 0}, {1, 0}}}});
+  const VortexPair opposite({{gamma, -gamma}, {{{-1, 0}, {1, 0}}}});
   const std::complex<double> there(-1, 5 * gamma / (2 * pi * d));
   EXPECT_LT(std::abs(opposite.places(5)[0] - there), 1e-13);
 }
