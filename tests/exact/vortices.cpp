@@ -134,8 +134,7 @@ double motion_error(const PointVortices& vortices, double factor = 1) {
   for (std::size_t k = 0; k < 2; ++k) {
     const std::complex<double> apart = now[k] - now[1 - k];
     const std::complex<double> induced =
-        std::complex<double>(0, factor * vortices.circulation[1 - k] / (2 * pi)) /
-        std::conj(apart);
+        std::complex<double>(0, factor * vortices.circulation[1 - k] / (2 * pi)) / std::conj(apart);
     worst = std::max(worst, std::abs((after[k] - before[k]) / (2 * step) - induced));
     const Table table = pair.of_particles(t);
     worst = std::max(worst, std::abs(table[2].values[k] - induced.real()));

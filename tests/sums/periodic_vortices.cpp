@@ -93,8 +93,8 @@ TEST(PeriodicVortices, DoNotDependOnHowTheBoxLies) {
   }
 }
 
-/// Blobs on a lattice with the vorticity of Taylor and Green's vortices: a Gauss core multiplies the
-/// wave by its Fourier transform, and the lattice makes no other error.
+/// Blobs on a lattice with the vorticity of Taylor and Green's vortices: a Gauss core multiplies
+/// the wave by its Fourier transform, and the lattice makes no other error.
 TEST(PeriodicVortices, MakeTaylorGreenVortices) {
   constexpr int n = 32;
   constexpr double k = 2 * std::numbers::pi, size = 1.5 / n;
