@@ -72,11 +72,13 @@ const std::vector<ScenarioCase> vortices{
      in_a_box("[x, y]", {{5, "model: {type: vortex, core: {name: @algebraic.2}}"},
                          {6, "initial: {vorticity: \"sin(pi*x)\"}"}}),
      "vortices of a periodic box are points or have the core 'gauss'"},
-    {"walls", vortex({{3, "domain: {lower: [-1, -1], upper: [1, 1], walls: [{side: x_lower}]}"},
-                      {5, "model: {type: @vortex}"}}),
+    {"walls",
+     vortex({{3, "domain: {lower: [-1, -1], upper: [1, 1], walls: [{side: x_lower}]}"},
+             {5, "model: {type: @vortex}"}}),
      "vortices know no walls, and 'x_lower' is one"},
     {"operator_of_circulation_elsewhere",
-     vortex({{5, "model: {type: weakly_compressible, sound_speed: 10}"}, {6, ""},
+     vortex({{5, "model: {type: weakly_compressible, sound_speed: 10}"},
+             {6, ""},
              {7, "operator: @vortex_blob.gauss"}}),
      "vortex_blob.gauss needs points with circulation, which the model weakly_compressible has "
      "not"},
@@ -99,7 +101,7 @@ Outcome outcome_of(const std::string& scenario) {
 TEST(VortexOfSmallCores, IsWarnedOf) {
   const Outcome outcome = outcome_of(model("core: {overlap: 0.5}"));
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_NE(outcome.errors.find(":5:23: warning: cores of 0.5 spacings do not overlap"),
+  EXPECT_NE(outcome.errors.find(":5:29: warning: cores of 0.5 spacings do not overlap"),
             std::string::npos)
       << outcome.errors;
 }
