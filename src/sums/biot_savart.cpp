@@ -45,9 +45,9 @@ class BiotSavart<D>::Sum::OfShape final : public BiotSavart<D>::Sum {
     const auto shape = Shape::of_size(sources.core_size);
     pairs_.place(targets, sources, scale);
     if (result.gradient.empty()) {
-      pairs_.form(VortexKernel<Shape, false>{shape}, shape.reach(tolerance_));
+      pairs_.form(VortexKernel<Shape, false>{shape}, shape, tolerance_);
     } else {
-      pairs_.form(VortexKernel<Shape, true>{shape}, shape.reach(tolerance_));
+      pairs_.form(VortexKernel<Shape, true>{shape}, shape, tolerance_);
       pairs_.give(D, D * D, result.gradient);
     }
     pairs_.give(0, D, result.velocity);
@@ -58,7 +58,7 @@ class BiotSavart<D>::Sum::OfShape final : public BiotSavart<D>::Sum {
  private:
   static FarExpansion<D> expansion(double tolerance) {
     if constexpr (D == 2) return LaurentExpansion(tolerance, false);
-    if constexpr (D == 3) return SpaceExpansion(tolerance, 3);
+    if constexpr (D == 3) return SpaceExpansion(tolerance, 3, 2);
   }
 
   double tolerance_;

@@ -55,7 +55,7 @@ class Cauchy::Sum {
   void form(std::span<const Complex> targets, std::span<const Complex> sources,
             std::span<const Complex> strengths, std::span<Complex> result) {
     pairs.place(numbers(targets), {numbers(sources), numbers(strengths)});
-    pairs.form(CauchyKernel());
+    pairs.form(CauchyKernel(), PointShape<2>(), settings.tolerance);
     pairs.give(0, 2, {reinterpret_cast<double*>(result.data()), 2 * result.size()});
   }
 

@@ -12,7 +12,8 @@ namespace mote {
 /// fall.
 class DegreeByRatio {
  public:
-  /// r^terms < `tolerance` up to the ratio `largest`, beyond which nodes are too near.
+  /// r^terms < `tolerance` up to the ratio `largest`, or as far as `most_terms` go; beyond it nodes
+  /// are too near.
   DegreeByRatio(double tolerance, double largest, int most_terms) {
     const auto terms = [&](double ratio) {
       return static_cast<int>(std::ceil(std::log(tolerance) / std::log(ratio)));
@@ -20,8 +21,8 @@ class DegreeByRatio {
     degree_ = std::min(terms(largest), most_terms);
     degrees_.assign(steps + 1, static_cast<std::uint8_t>(degree_ + 1));
     for (int step = 0; step + 1 <= steps * largest; ++step)
-      degrees_[static_cast<std::size_t>(step)] =
-          static_cast<std::uint8_t>(std::clamp(terms((step + 1.0) / steps), 2, degree_));
+      if (const int needed = terms((step + 1.0) / steps); needed <= degree_)
+        degrees_[static_cast<std::size_t>(step)] = static_cast<std::uint8_t>(std::max(2, needed));
   }
 
   /// The largest there is.

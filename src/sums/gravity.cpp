@@ -65,13 +65,13 @@ class Gravity<D>::Sum::OfShape final : public Gravity<D>::Sum {
  private:
   static FarExpansion<D> expansion(double tolerance) {
     if constexpr (D == 2) return LaurentExpansion(tolerance, true);
-    if constexpr (D == 3) return SpaceExpansion(tolerance, 1);
+    if constexpr (D == 3) return SpaceExpansion(tolerance, 1, 1);
   }
 
   template <GravityPart Part>
   void form_part(double core_size) {
     const auto shape = Shape::of_size(core_size);
-    pairs_.form(GravityKernel<Shape, Part>{shape}, shape.reach(tolerance_));
+    pairs_.form(GravityKernel<Shape, Part>{shape}, shape, tolerance_);
   }
 
   double tolerance_;

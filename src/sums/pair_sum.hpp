@@ -28,10 +28,11 @@ class PairSum {
   void place(std::span<const double> targets, const Sources<D>& sources, double scale = 1) {
     tree_ ? tree_->place(targets, sources, scale) : direct_.place(targets, sources, scale);
   }
-  /// Forms a kernel's outputs at the targets; nearer than `least_gap` it is no point's.
-  template <PairKernel K>
-  void form(const K& kernel, double least_gap = 0) {
-    tree_ ? tree_->form(kernel, least_gap) : direct_.form(kernel);
+  /// Forms a kernel's outputs at the targets. Nearer than `shape` reaches it is no point's, to
+  /// within `tolerance`.
+  template <PairKernel K, class Shape>
+  void form(const K& kernel, const Shape& shape, double tolerance) {
+    tree_ ? tree_->form(kernel, shape.reach(tolerance)) : direct_.form(kernel);
   }
   /// `columns` of the outputs from `first` on, in the order of the targets.
   void give(int first, int columns, std::span<double> rows) const {

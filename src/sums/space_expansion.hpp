@@ -11,10 +11,10 @@ namespace mote {
 
 /// Harmonic expansions of sum_j m_j/|x - x_j| in space, with as many components as the strengths
 /// have, as the multipole method wants them; see LaurentExpansion for its counterpart in the plane.
-/// `tolerance` is that of the whole sum: pairs of nodes may err more, as they do not err together.
 class SpaceExpansion {
  public:
-  SpaceExpansion(double tolerance, int components);
+  /// `tolerance` is that of the whole sum, of its first or up to its second derivatives.
+  SpaceExpansion(double tolerance, int components, int derivatives);
 
   /// Each thread has working memory of its own; to be called before all else.
   void make_room_for_threads();
