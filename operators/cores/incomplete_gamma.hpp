@@ -81,7 +81,7 @@ template <int c>
 template <int c>
 [[gnu::always_inline]] inline Lanes gamma_series(const Lanes& x) {
   if constexpr (c == 2) {
-    const Lanes positive = at_least(1e-300, x);
+    const Lanes positive = x + 1e-300;  // the same number, but for 0
     return exponential_rise(at_most(700, positive)) / (2 * positive);
   } else {
     Lanes sum = gamma_fits::far_series<c>(at_least(gamma_split, x));

@@ -48,12 +48,13 @@ inline constexpr double log2_e = 1.4426950408889634;
 inline constexpr double ln_2_high = 0x1.62e42feep-1, ln_2_low = 0x1.a39ef35793c76p-33;
 inline constexpr double half_ln_2 = 0.35;  ///< and a little, for rounding
 
-/// (e^r - 1)/r for r = half_ln_2 z.
-inline constexpr auto exponential = chebyshev_fit<12>([](long double z) {
-  long double term = 1, sum = 1;
-  for (int k = 2; k < 25; ++k) sum += term *= half_ln_2 * z / k;
-  return sum;
-});
+/// (e^r - 1)/r in powers of r = half_ln_2 z.
+inline constexpr auto exponential = in_powers_of(half_ln_2, chebyshev_fit<11>([](long double z) {
+                                                   long double term = 1, sum = 1;
+                                                   for (int k = 2; k < 25; ++k)
+                                                     sum += term *= half_ln_2 * z / k;
+                                                   return sum;
+                                                 }));
 
 /// 2 (artanh(s)/s - 1)/s^2 for s^2 = (z + 1) half_s_squared.
 inline constexpr double half_s_squared = 0.01475;
@@ -77,7 +78,7 @@ struct ExponentialParts {
   const Lanes n = shifted - to_integer;
   const Lanes r = (x - n * ln_2_high) - n * ln_2_low;
   const Lanes scale = lanes_of((bits_of(shifted) << 52) + one);
-  return {scale, scale * (r * polynomial(lane_constants::exponential, r * (1 / half_ln_2)))};
+  return {scale, scale * (r * polynomial(lane_constants::exponential, r))};
 }
 
 /// e^x for |x| <= 700.

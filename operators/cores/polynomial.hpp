@@ -58,4 +58,15 @@ constexpr std::array<double, N> chebyshev_fit(Function f) {
   return coefficients;
 }
 
+/// The coefficients for powers of x = scale z of a polynomial given for those of z.
+template <std::size_t N>
+constexpr std::array<double, N> in_powers_of(double scale, std::array<double, N> coefficients) {
+  long double power = 1;
+  for (double& coefficient : coefficients) {
+    coefficient = static_cast<double>(coefficient / power);
+    power *= scale;
+  }
+  return coefficients;
+}
+
 }  // namespace mote

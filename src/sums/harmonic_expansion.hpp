@@ -67,7 +67,10 @@ class HarmonicExpansion {
   void shift_up(std::span<const ChildMultipole> children, const NodeBall& parent,
                 double* multipole);
   /// Adds the field of distant sources to the local expansion of a target of `radius`, those of
-  /// like degree eight at a time. The balls of source and target must not touch.
+  /// like degrees eight at a time, with the highest degree of the eight. All degrees of the source
+  /// go to all of the target: leaving out those that add up to more than the degree, as Dehnen
+  /// does, saves at most a tenth of the time and makes the errors of two equal balls 5 to 300 times
+  /// as large at degree 6 to 10. The balls of source and target must not touch.
   void translate(std::span<const DistantSource> sources, double radius, double* local);
   /// Adds the local expansion of a parent to those of its children.
   void shift_down(const double* local, const NodeBall& parent,
@@ -92,6 +95,7 @@ class HarmonicExpansion {
   std::vector<std::uint32_t> order_;            ///< sources by falling degree
   std::vector<Lanes> along_axis_, translated_;  ///< of one component
   std::vector<Lanes> sums_;                     ///< what eight sources at a time gave to the target
+  std::vector<Lanes> strengths_;                ///< of eight points, by components
   std::array<Lanes, highest_degree + 1> powers_;
 };
 

@@ -35,8 +35,9 @@ void add_slope_along_y(int n, double factor, const double* in, double* out) {
 }
 
 void add_slope_along_z(int n, double factor, const double* in, double* out) {
+  const HarmonicTables& tables = harmonic_tables();
   for (int m = 0; m < n; ++m) {
-    const double along = factor * harmonic_tables().along(n, m);
+    const double along = factor * tables.along(n, m);
     out[m] += along * in[m];
     if (m > 0) out[n - 1 + m] += along * in[n + m];
   }

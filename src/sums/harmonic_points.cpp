@@ -6,10 +6,21 @@
 namespace mote {
 namespace {
 
-/// Numbers from a column; beyond its end there are zeros.
-Lanes lanes_from(const double* column, std::size_t count) {
+/// Numbers from a column; beyond its end stands `beyond`.
+Lanes lanes_from(const double* column, std::size_t count, double beyond) {
   if (count >= lane_count) return Lanes(column, std::experimental::element_aligned);
-  return Lanes([&](auto lane) { return lane < count ? column[lane] : 0; });
+  return Lanes([&](auto lane) { return lane < count ? column[lane] : beyond; });
+}
+
+/// Places of eight points in units of the radius. Where that is 0, all points are at the centre.
+std::array<Lanes, 3> places(const PointColumns& points, std::size_t first, std::size_t count,
+                            const NodeBall& ball) {
+  const double radius = ball.radius > 0 ? ball.radius : 1;
+  std::array<Lanes, 3> result;
+  for (std::size_t d = 0; d < 3; ++d)
+    result[d] =
+        (lanes_from(points.position[d] + first, count, ball.centre[d]) - ball.centre[d]) / radius;
+  return result;
 }
 
 /// sums += strength times the harmonics of one order, of all degrees.
@@ -27,21 +38,15 @@ void add_order(int degree, const SolidHarmonics& harmonics, const Lanes& strengt
 void HarmonicExpansion::add_points(const PointColumns& points, const NodeBall& ball,
                                    double* multipole) {
   clear_sums(degree_);
-  const double radius = ball.radius > 0 ? ball.radius : 1;  // at radius 0 all points are at 0
   for (std::size_t first = 0; first < points.count; first += lane_count) {
     const std::size_t count = std::min(lane_count, points.count - first);
-    std::array<Lanes, 3> x;
-    for (std::size_t d = 0; d < 3; ++d)
-      x[d] = (lanes_from(points.position[d] + first, count) - ball.centre[d]) / radius;
-    for (std::size_t lane = count; lane < lane_count; ++lane)
-      for (std::size_t d = 0; d < 3; ++d) x[d][lane] = 0;
-    SolidHarmonics harmonics(degree_, x);
+    for (std::size_t c = 0; c < strengths_.size(); ++c)
+      strengths_[c] = lanes_from(points.strengths[c] + first, count, 0);
+    SolidHarmonics harmonics(degree_, places(points, first, count, ball));
     for (int m = 0; m <= degree_; ++m) {
       harmonics.prepare_order(m);
-      for (int c = 0; c < components_; ++c)
-        add_order(degree_, harmonics,
-                  lanes_from(points.strengths[static_cast<std::size_t>(c)] + first, count),
-                  sums_.data() + place_of(c));
+      for (std::size_t c = 0; c < strengths_.size(); ++c)
+        add_order(degree_, harmonics, strengths_[c], sums_.data() + place_of(static_cast<int>(c)));
     }
   }
   add_sums(degree_, multipole);

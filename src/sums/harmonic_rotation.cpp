@@ -7,8 +7,8 @@ namespace {
 
 namespace simd = std::experimental;
 
-/// Degrees that have code of their own, without loops; it gives the same bits.
-constexpr int unrolled_degrees = 16;
+/// Degrees that have code of their own, without loops. More would save nothing.
+constexpr int unrolled_degrees = 6;
 
 using DegreeLanes = std::array<Lanes, 2 * highest_degree + 1>;
 

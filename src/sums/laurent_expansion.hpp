@@ -37,6 +37,9 @@ class LaurentExpansion {
   int degree() const { return degrees_.degree(); }
   void make_room_for_threads() {}
 
+  /// Pairs of points that are summed in the time of one translation, as measured.
+  static std::int64_t pairs_for_a_translation(int degree) { return 4 * degree; }
+
   /// Adds points to a node's Laurent series: strengths are a column, or a real and an imaginary
   /// one.
   void add_points(const PointTree<2>& tree, Index node,

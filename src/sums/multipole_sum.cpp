@@ -1,6 +1,7 @@
 #include "mote/sums/multipole_sum.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace mote {
 namespace {
@@ -96,9 +97,11 @@ class MultipoleSum<D>::Descent {
       const TreeNode<D>& source = sources_.node(s);
       const Vec<D> distance = target.centre - source.centre;
       const int degree = degree_for(source.radius, target.radius, distance.norm());
-      if (degree <= expansion_.degree())
+      const bool both_leaves = at_leaf && sources_.is_leaf(s);
+      if (degree <= expansion_.degree() &&
+          !(both_leaves && few_pairs(source.points, target.points, degree)))
         far.push_back({sum_.series_of(s), distance, source.radius, degree});
-      else if (at_leaf && sources_.is_leaf(s))
+      else if (both_leaves)
         add_range(source.points, near);
       else if (at_leaf || (!sources_.is_leaf(s) && source.radius > target.radius))
         open_children(s, open);
@@ -110,6 +113,12 @@ class MultipoleSum<D>::Descent {
   int degree_for(double source_radius, double target_radius, double distance) const {
     if (distance - source_radius - target_radius <= least_gap_) return expansion_.degree() + 1;
     return expansion_.degree_for(source_radius, target_radius, distance);
+  }
+
+  /// Whether two leaves are sooner summed pair by pair than by series.
+  static bool few_pairs(PointRange sources, PointRange targets, int degree) {
+    return std::int64_t{sources.count()} * targets.count() <
+           FarExpansion<D>::pairs_for_a_translation(degree);
   }
 
   void open_children(Index s, std::vector<Index>& open) const {

@@ -63,9 +63,11 @@ template <std::size_t Count, class Visit>
 }
 
 /// Adds what the sources do to `Packs` packs of targets, the last of which may be filled in part.
+/// Flattened, as the compiler leaves some operations of lanes as calls where there are many.
 template <std::size_t Packs, PairKernel K>
-void add_to_packs(const K& kernel, const TargetColumns<K>& targets, Range target,
-                  const SourceColumns<K>& sources, Range range, const OutputColumns<K>& outputs) {
+[[gnu::flatten]] void add_to_packs(const K& kernel, const TargetColumns<K>& targets, Range target,
+                                   const SourceColumns<K>& sources, Range range,
+                                   const OutputColumns<K>& outputs) {
   std::array<std::array<Lanes, K::dimension>, Packs> place;
   std::array<std::array<Lanes, K::outputs>, Packs> sums;
   unrolled<Packs>([&](auto p) __attribute__((always_inline)) {
@@ -96,16 +98,18 @@ void add_to_packs(const K& kernel, const TargetColumns<K>& targets, Range target
   });
 }
 
-/// The last packs, too few for a full group.
+/// The same for any number of targets: as many packs at a time as there are, up to `Packs`.
 template <std::size_t Packs, PairKernel K>
-void add_to_rest(const K& kernel, const TargetColumns<K>& targets, Range target,
-                 const SourceColumns<K>& sources, Range range, const OutputColumns<K>& outputs) {
-  if constexpr (Packs > 0) {
-    if (packs_for(target.end - target.begin) == Packs)
-      add_to_packs<Packs>(kernel, targets, target, sources, range, outputs);
-    else
-      add_to_rest<Packs - 1>(kernel, targets, target, sources, range, outputs);
+void add_in_groups(const K& kernel, const TargetColumns<K>& targets, Range target,
+                   const SourceColumns<K>& sources, Range range, const OutputColumns<K>& outputs) {
+  while (target.begin < target.end && packs_for(target.end - target.begin) >= Packs) {
+    const std::size_t end = std::min(target.begin + Packs * lane_count, target.end);
+    add_to_packs<Packs>(kernel, targets, {target.begin, end}, sources, range, outputs);
+    target.begin = end;
   }
+  if constexpr (Packs > 1)
+    if (target.begin < target.end)
+      add_in_groups<Packs / 2>(kernel, targets, target, sources, range, outputs);
 }
 
 }  // namespace pair_loop
@@ -118,15 +122,9 @@ void add_pairs(const K& kernel, const TargetColumns<K>& targets, Range target_ra
                const SourceColumns<K>& sources, Range source_range,
                const OutputColumns<K>& outputs) {
   using namespace pair_loop;
-  constexpr std::size_t group = packs_at_once<K> * lane_count;
   for (std::size_t first = source_range.begin; first < source_range.end; first += sources_at_once) {
     const Range block{first, std::min(first + sources_at_once, source_range.end)};
-    std::size_t target = target_range.begin;
-    for (; target + group <= target_range.end; target += group)
-      add_to_packs<packs_at_once<K>>(kernel, targets, {target, target + group}, sources, block,
-                                     outputs);
-    add_to_rest<packs_at_once<K>>(kernel, targets, {target, target_range.end}, sources, block,
-                                  outputs);
+    add_in_groups<packs_at_once<K>>(kernel, targets, target_range, sources, block, outputs);
   }
 }
 

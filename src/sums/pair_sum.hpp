@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <cstdlib>
 
 #include "mote/sums/direct_sum.hpp"
 #include "mote/sums/tree_sum.hpp"
@@ -19,7 +20,7 @@ class PairSum {
   template <class Expansion>
   PairSum(SumMethod method, Expansion expansion) {
     if (method == SumMethod::multipole)
-      tree_ = std::make_unique<TreeSum<D>>(expansion(), leaf_capacity<D>);
+      tree_ = std::make_unique<TreeSum<D>>(expansion(), getenv("LEAF") ? atoi(getenv("LEAF")) : leaf_capacity<D>);
   }
 
   /// The points of the next sum; `targets` may be the sources' own places. Strengths are multiplied

@@ -92,16 +92,30 @@ void PointTree<D>::grow_children(std::span<const PointRange> parts, Nodes& nodes
   }
 }
 
-/// Sorts the points by the halves of the box's long sides that they lie in, keeping their order
-/// within each; returns the parts that are not empty.
+/// Where to halve a box: its long sides, the longest first, and no more of them than it takes to
+/// come down to the capacity of a leaf. Sides that stay whole are cut at their end.
+template <int D>
+Vec<D> PointTree<D>::cuts(const Box& box, Index count) const {
+  const Vec<D> half = box.upper / 2 - box.lower / 2;
+  std::array<std::size_t, D> axes;
+  std::iota(axes.begin(), axes.end(), std::size_t{0});
+  std::ranges::stable_sort(axes, [&](std::size_t a, std::size_t b) { return half[a] > half[b]; });
+  Vec<D> cut = box.upper;
+  Index capacity = leaf_capacity_;
+  for (const std::size_t axis : axes) {
+    if (capacity >= count || half[axis] < long_side * half.maxCoeff()) break;
+    cut[axis] = box.lower[axis] + half[axis];
+    capacity *= 2;
+  }
+  return cut;
+}
+
+/// Sorts the points by the halves that they lie in, keeping their order within each; returns the
+/// parts that are not empty.
 template <int D>
 std::vector<PointRange> PointTree<D>::split(PointRange points, const Box& box) {
   constexpr std::size_t parts = 1 << D;
-  const Vec<D> middle = box.lower + (box.upper / 2 - box.lower / 2);
-  const Vec<D> side = box.upper / 2 - box.lower / 2;
-  std::array<double, D> cut;
-  for (std::size_t d = 0; d < D; ++d)
-    cut[d] = side[d] >= long_side * side.maxCoeff() ? middle[d] : box.upper[d];
+  const Vec<D> cut = cuts(box, points.count());
   const auto part_of = [&](Index i) {
     std::size_t part = 0;
     for (std::size_t d = 0; d < D; ++d)

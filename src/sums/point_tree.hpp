@@ -64,6 +64,7 @@ class PointTree {
   Box box_of(PointRange points) const;
   void grow(PointRange points, Nodes& nodes);
   void grow_children(std::span<const PointRange> parts, Nodes& nodes);
+  Vec<D> cuts(const Box& box, Index count) const;
   std::vector<PointRange> split(PointRange points, const Box& box);
   void enclose(Node& leaf) const;
   static void enclose_children(Index n, Nodes& nodes);

@@ -21,8 +21,8 @@ class SolidHarmonics {
     order_ = order;
     if (order > 0) turn();
     const auto m = static_cast<std::size_t>(order);
-    const double* rise = harmonic_tables().rise(order);
-    const double* fall = harmonic_tables().fall(order);
+    const double* rise = tables_.rise(order);
+    const double* fall = tables_.fall(order);
     const auto degrees = degrees_of(degree_, order);
     values_[m] = 1;
     if (degrees > 1) values_[m + 1] = rise[1] * place_[2];
@@ -39,12 +39,13 @@ class SolidHarmonics {
  private:
   /// The next power of x + iy, normalised.
   void turn() {
-    const double first = harmonic_tables().first(order_);
+    const double first = tables_.first(order_);
     const Lanes x = first * place_[0], y = first * place_[1], last = cosine_;
     cosine_ = x * last - y * sine_;
     sine_ = y * last + x * sine_;
   }
 
+  const HarmonicTables& tables_ = harmonic_tables();
   int degree_, order_ = 0;
   std::array<Lanes, 3> place_;
   Lanes squared_, cosine_ = 1, sine_ = 0;

@@ -23,6 +23,9 @@ class SpaceExpansion {
   int degree() const { return degrees_.degree(); }
   int degree_for(double a, double b, double d) const { return degrees_(a, b, d); }
 
+  /// Pairs of points that are summed in the time of one translation, as measured.
+  static std::int64_t pairs_for_a_translation(int degree) { return 6 * degree * degree; }
+
   void add_points(const PointTree<3>& tree, Index node, std::span<const double* const> strengths,
                   double* series) const;
   void shift_up(std::span<const Child<3>> children, const TreeNode<3>& parent, double* to) const;
