@@ -48,8 +48,11 @@ class Panel:
         self.chosen, self.places, self.depth = chosen, places[chosen], depth
         self.axes_names, self.radius = axes_names, snapshot.spacing / 2
         self.fluid = snapshot.fluid[chosen]
-        self.raster = Raster(self.places.min(axis=0) - self.radius,
-                             self.places.max(axis=0) + self.radius)
+        lower, upper = self.places.min(axis=0) - self.radius, self.places.max(axis=0) + self.radius
+        if "vorticity" in snapshot.fields:  # a few vortices may stand in a line
+            lacking = np.maximum(0, (upper - lower).max() / 2 - (upper - lower)) / 2
+            lower, upper = lower - lacking, upper + lacking
+        self.raster = Raster(lower, upper)
         if snapshot.spacing < 16 * self.raster.pixel:  # gaps of single pixels would make patterns
             self.radius = snapshot.spacing / 2 ** 0.5
 

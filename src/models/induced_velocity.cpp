@@ -70,7 +70,7 @@ class FreeVortices final : public InducedVelocity<D> {
   }
 
   /// Vortices up to which summing pair by pair is about as fast, and exact.
-  static constexpr std::size_t few = 6000;
+  static constexpr std::size_t few = 1500;
 
   Sums direct_, multipole_;
   std::string method_;

@@ -74,6 +74,7 @@ class OperatorDiffusion final : public VortexDiffusion<D> {
  public:
   OperatorDiffusion(const VortexOptions& options, SpaceSetup& setup)
       : viscosity_(options.kinematic_viscosity),
+        floor_(options.floor),
         operator_(&dynamic_cast<DifferentialOperator<D>&>(*setup.differential_operator)),
         owner_(std::move(setup.differential_operator)),
         neighbours_(setup, setup.search, operator_->neighbour_rule()) {}
@@ -107,17 +108,13 @@ class OperatorDiffusion final : public VortexDiffusion<D> {
   }
 
  private:
-  /// An operator that divides by the vorticity has nothing to say where there is next to none.
   void exempt_weak_ones(Points<D>& points, double highest) const {
-    if (!operator_->needs_circulation()) return;
     points.exempt.resize(static_cast<std::size_t>(points.receivers));
     for (std::size_t i = 0; i < points.exempt.size(); ++i)
-      points.exempt[i] = std::abs(points.vorticity[i]) < weak * highest ? 1 : 0;
+      points.exempt[i] = std::abs(points.vorticity[i]) <= floor_ * highest ? 1 : 0;
   }
 
-  static constexpr double weak = 1e-12;
-
-  double viscosity_;
+  double viscosity_, floor_;
   DifferentialOperator<D>* operator_;
   std::unique_ptr<AnyOperator> owner_;
   VortexNeighbours<D> neighbours_;

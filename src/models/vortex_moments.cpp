@@ -17,7 +17,14 @@ Mat<2> VortexMoments::spread() const {
   return second / circulation - centre() * centre().transpose();
 }
 
+bool VortexMoments::is_round() const {
+  constexpr double next_to_nothing = 1e-3;
+  const Mat<2> m = spread();
+  return std::hypot(m(0, 0) - m(1, 1), 2 * m(0, 1)) < next_to_nothing * std::abs(m.trace());
+}
+
 double VortexMoments::axis() const {
+  if (is_round()) return 0;
   const Mat<2> m = spread();
   return 0.5 * std::atan2(2 * m(0, 1), m(0, 0) - m(1, 1));
 }
@@ -28,7 +35,7 @@ double VortexMoments::axis_rate() const {
   const Mat<2> m = spread();
   const Mat<2> rate = second_rate / circulation;
   const double p = m(0, 0) - m(1, 1), q = 2 * m(0, 1), square = p * p + q * q;
-  if (square == 0) return 0;
+  if (is_round()) return 0;
   return 0.5 * (p * 2 * rate(0, 1) - q * (rate(0, 0) - rate(1, 1))) / square;
 }
 

@@ -18,8 +18,10 @@ struct VortexMoments {
   Vec<2> centre() const { return first / circulation; }
   /// The second moments about the centre, over the circulation.
   Mat<2> spread() const;
+  /// Whether they are spread evenly in all directions, to a thousandth.
+  bool is_round() const;
   /// The direction in which vortices are spread furthest, from -pi/2 to pi/2, and the rate at which
-  /// the velocities turn it. Where they are spread evenly there is none: 0.
+  /// the velocities turn it. What is round has none: 0.
   double axis() const;
   double axis_rate() const;
 };

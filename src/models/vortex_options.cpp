@@ -54,6 +54,11 @@ void describe_diffusion(Description& d, VortexOptions& options) {
   d.variant({"type", "which way"}, type, choices, [&](const std::string& chosen) {
     for (const auto& word : diffusions)
       if (word.name == chosen) options.diffusion = word.value;
+    if (chosen == "sph")
+      d.number({"floor",
+                "vorticity over its highest below which a vortex keeps its circulation: there "
+                "operators lack neighbours, and vortex_blob divides by next to nothing"},
+               options.floor, {0, 1});
     if (chosen == "particle_strength_exchange")
       d.number({"range", "of the exchange, exp(-(r/range)^2), in spacings"}, options.exchange_range,
                {0.8, 10});

@@ -42,6 +42,7 @@ struct VortexOptions {
 
   double kinematic_viscosity = 0;
   Diffusion diffusion = Diffusion::none;
+  double floor = 1e-5;
   double exchange_range = 1.5;
   std::int64_t seed = 0;
 
