@@ -116,8 +116,7 @@ void VortexOptions::describe(Description& d) {
                 free_stream);
   describe_list(
       d,
-      {"vortices",
-       "in the plane: that are given by themselves, beside the vorticity of `initial`"},
+      {"vortices", "in the plane: that are given by themselves, beside the vorticity of `initial`"},
       vortices, [&](SingleVortex& vortex) { describe_vortex(d, vortex); });
   describe_list(d, {"rings", "in space: vortex rings, beside the vorticity of `initial`"}, rings,
                 [&](VortexRing& ring) { describe_ring(d, ring); });
@@ -161,8 +160,9 @@ std::vector<InitialField> VortexRecipe::initial_fields(int dimension) const {
 
 std::vector<std::string> VortexRecipe::conserved_names(int dimension) const {
   if (dimension == 3)
-    return {"circulation_x", "circulation_y",     "circulation_z",     "impulse_x",        "impulse_y",
-            "impulse_z",     "angular_impulse_x", "angular_impulse_y", "angular_impulse_z"};
+    return {"circulation_x",     "circulation_y",     "circulation_z",
+            "impulse_x",         "impulse_y",         "impulse_z",
+            "angular_impulse_x", "angular_impulse_y", "angular_impulse_z"};
   return {"circulation", "impulse_x", "impulse_y", "angular_impulse"};
 }
 

@@ -25,8 +25,8 @@ struct SingleVortex {
 /// How circulation stretches in space; see `describe`.
 enum class Stretching { transposed, classical };
 
-/// A ring whose core is a Gauss function, omega = Gamma/(pi core^2) exp(-(s/core)^2) at the distance
-/// s from its circle.
+/// A ring whose core is a Gauss function, omega = Gamma/(pi core^2) exp(-(s/core)^2) at the
+/// distance s from its circle.
 struct VortexRing {
   std::vector<double> centre, normal{0, 0, 1};
   double radius = 1, core = 0.1, circulation = 1;
@@ -70,7 +70,8 @@ class VortexRecipe final : public ModelRecipe {
  public:
   static constexpr std::string_view name = "vortex";
   static constexpr std::string_view summary =
-      "vortex blobs in the unbounded plane or space, or in a plane box that is periodic both ways (VBM)";
+      "vortex blobs in the unbounded plane or space, or in a plane box that is periodic both ways "
+      "(VBM)";
 
   VortexOptions options;
 
