@@ -31,7 +31,6 @@ class FreeVortices final : public InducedVelocity<D> {
     velocity_.resize(sources.position.size());
     gradient_.resize(sources.position.size() * D);
     sum_for(sources).velocity.at_sources(sources, {velocity_, gradient_});
-    constexpr std::size_t components = D == 2 ? 1 : 3;
     for (std::size_t i = 0; i < vorticity.size(); ++i) {
       const double* const slope = gradient_.data() + i / components * (D * D);
       if constexpr (D == 2) {
@@ -43,19 +42,27 @@ class FreeVortices final : public InducedVelocity<D> {
     }
   }
 
-  /// The stream function is that of masses: -1/(2 pi) sum_j Gamma_j ln r.
+  /// The stream function is that of masses: -1/(2 pi) sum_j Gamma_j ln r, and in space for each
+  /// component 1/(4 pi) sum_j alpha_j/r.
   std::optional<double> hamiltonian(const Sources<D>& sources) override {
-    if (D == 3) return {};
-    potential_.resize(sources.strength.size());
-    sum_for(sources).potential.at_sources(sources, {potential_, {}});
-    const double sum = fixed_sum(static_cast<Index>(potential_.size()), 0.0, [&](Index i) {
-      return sources.strength[static_cast<std::size_t>(i)] *
-             potential_[static_cast<std::size_t>(i)];
-    });
-    return -sum / (4 * std::numbers::pi);
+    const std::size_t count = sources.position.size() / D;
+    potential_.resize(count);
+    component_.resize(count);
+    double sum = 0;
+    for (std::size_t c = 0; c < components; ++c) {
+      for (std::size_t i = 0; i < count; ++i) component_[i] = sources.strength[i * components + c];
+      sum_for(sources).potential.at_sources({sources.position, component_, sources.core_size},
+                                            {potential_, {}});
+      sum += fixed_sum(static_cast<Index>(count), 0.0, [&](Index i) {
+        return component_[static_cast<std::size_t>(i)] * potential_[static_cast<std::size_t>(i)];
+      });
+    }
+    return -sum / ((D == 2 ? 4 : 8) * std::numbers::pi);
   }
 
  private:
+  static constexpr std::size_t components = D == 2 ? 1 : 3;
+
   struct Sums {
     Sums(const SumSettings& settings, const std::string& core)
         : velocity(settings, core), potential(settings, core) {}
@@ -74,7 +81,7 @@ class FreeVortices final : public InducedVelocity<D> {
 
   Sums direct_, multipole_;
   std::string method_;
-  std::vector<double> velocity_, gradient_, potential_;  ///< work
+  std::vector<double> velocity_, gradient_, potential_, component_;  ///< work
 };
 
 /// In a box with all images.

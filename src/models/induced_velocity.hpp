@@ -26,7 +26,8 @@ class InducedVelocity {
   virtual void vorticity_at_sources(const Sources<D>& sources, std::span<double> vorticity) = 0;
 
   /// Whose gradients move the vortices, where it is known: in the unbounded plane
-  /// -1/(4 pi) sum over pairs i != j of Gamma_i Gamma_j ln r_ij, for blobs with their cores.
+  /// -1/(4 pi) sum over pairs i != j of Gamma_i Gamma_j ln r_ij, for blobs with their cores; in
+  /// space 1/(8 pi) sum of alpha_i . alpha_j/r_ij, the kinetic energy of a fluid of density 1.
   virtual std::optional<double> hamiltonian(const Sources<D>& sources) = 0;
 };
 

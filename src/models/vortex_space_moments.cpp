@@ -19,25 +19,19 @@ SpaceVortexMoments space_vortex_moments(const VortexParticles<3>& vortices,
   const auto sum = [&](auto zero, auto term) {
     return fixed_sum(vortices.count(), zero, [&](Index i) {
       if (counts && !counts(i)) return zero;
-      return decltype(zero)(term(vortices.place(i), at(vortices.circulation(), i), i));
+      return decltype(zero)(term(vortices.place(i), at(vortices.circulation(), i)));
     });
   };
   using V = const Vec<3>&;
   const Vec<3> zero = Vec<3>::Zero();
   SpaceVortexMoments m;
-  m.circulation = sum(zero, [](V, V alpha, Index) { return alpha; });
-  m.magnitude = sum(0.0, [](V, V alpha, Index) { return alpha.norm(); });
-  m.impulse = sum(zero, [](V x, V alpha, Index) -> Vec<3> { return 0.5 * x.cross(alpha); });
-  m.impulse_scale = sum(0.0, [](V x, V alpha, Index) { return 0.5 * x.norm() * alpha.norm(); });
-  m.angular_impulse =
-      sum(zero, [](V x, V alpha, Index) -> Vec<3> { return x.cross(x.cross(alpha)) / 3; });
-  m.angular_scale =
-      sum(0.0, [](V x, V alpha, Index) { return x.squaredNorm() * alpha.norm() / 3; });
-  m.first = sum(zero, [](V x, V alpha, Index) -> Vec<3> { return alpha.norm() * x; });
-  m.power = sum(
-      0.0, [&](V x, V alpha, Index i) { return at(vortices.velocity(), i).dot(x.cross(alpha)); });
-  m.force = sum(
-      zero, [&](V, V alpha, Index i) -> Vec<3> { return at(vortices.velocity(), i).cross(alpha); });
+  m.circulation = sum(zero, [](V, V alpha) { return alpha; });
+  m.magnitude = sum(0.0, [](V, V alpha) { return alpha.norm(); });
+  m.impulse = sum(zero, [](V x, V alpha) -> Vec<3> { return 0.5 * x.cross(alpha); });
+  m.impulse_scale = sum(0.0, [](V x, V alpha) { return 0.5 * x.norm() * alpha.norm(); });
+  m.angular_impulse = sum(zero, [](V x, V alpha) -> Vec<3> { return x.cross(x.cross(alpha)) / 3; });
+  m.angular_scale = sum(0.0, [](V x, V alpha) { return x.squaredNorm() * alpha.norm() / 3; });
+  m.first = sum(zero, [](V x, V alpha) -> Vec<3> { return alpha.norm() * x; });
   return m;
 }
 

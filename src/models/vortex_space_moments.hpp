@@ -17,16 +17,11 @@ struct SpaceVortexMoments {
   Vec<3> angular_impulse = Vec<3>::Zero();  ///< of x cross (x cross alpha)/3
   double angular_scale = 0;                 ///< of |x|^2 |alpha|/3
   Vec<3> first = Vec<3>::Zero();            ///< of |alpha| x
-  double power = 0;                         ///< of u . (x cross alpha)
-  Vec<3> force = Vec<3>::Zero();  ///< of u cross alpha, nothing but for the discretisation
 
   Vec<3> centre() const { return first / magnitude; }
   /// Of a ring: the mean distance from its axis, from |alpha| to |alpha|, 2 |impulse|/magnitude
   /// with the impulse about the centre.
   double radius() const;
-  /// Kinetic energy of a fluid of density 1, integral of u . (x cross omega) (Lamb 1932, 153), with
-  /// x from the centre.
-  double kinetic_energy() const { return power + centre().dot(force); }
 };
 
 /// Of the vortices i with `counts(i)`; all of them, if it is empty.

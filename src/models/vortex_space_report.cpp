@@ -40,7 +40,8 @@ std::vector<Reading> Vortex<3>::readings() const {
   const SpaceVortexMoments m = moments();
   std::vector<Reading> readings{{"vortices", static_cast<double>(vortices_.count())},
                                 {"magnitude", m.magnitude}};
-  if (!free_stream_.exists()) readings.push_back({"kinetic_energy", m.kinetic_energy()});
+  if (const auto hamiltonian = induced_->hamiltonian(sources()))
+    readings.push_back({"hamiltonian", *hamiltonian});
   add_ring(m, "", readings);
   if (options_.rings.size() < 2 || options_.remesh_every > 0) return readings;
   for (std::size_t k = 0; k < options_.rings.size(); ++k)
