@@ -25,8 +25,7 @@ class ThinRings {
   void advance(double step) {
     const Rates a = rates(state_), b = rates(moved(a, step / 2));
     const Rates c = rates(moved(b, step / 2)), d = rates(moved(c, step));
-    for (std::size_t k = 0; k < 4; ++k)
-      state_[k] += step / 6 * (a[k] + 2 * b[k] + 2 * c[k] + d[k]);
+    for (std::size_t k = 0; k < 4; ++k) state_[k] += step / 6 * (a[k] + 2 * b[k] + 2 * c[k] + d[k]);
   }
 
  private:
@@ -62,7 +61,8 @@ class ThinRings {
     const double first = std::comp_ellint_1(modulus), second = std::comp_ellint_2(modulus);
     const double scale = 1 / (2 * std::numbers::pi * std::sqrt(far));
     const double squares = radius * radius - r * r - z * z, sum = radius * radius + r * r + z * z;
-    return {scale * z / r * (second * sum / near - first), scale * (first + second * squares / near)};
+    return {scale * z / r * (second * sum / near - first),
+            scale * (first + second * squares / near)};
   }
 
   Rates state_;
