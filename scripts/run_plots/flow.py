@@ -13,7 +13,7 @@ NOT_OBSERVED = ("time", "step", "kinetic_energy", "potential_energy", "compressi
                 "angular_momentum", "vortices", "impulse_x", "impulse_y",
                 "angular_impulse")  # nor what is conserved
 VORTEX_UNITS = {"hamiltonian": "m⁴/s²", "second_moment": "m²", "separation": "m", "angle": "rad",
-                "rotation_rate": "1/s"}  # of readings that are what their names say
+                "rotation_rate": "1/s", "magnitude": "m³/s"}  # of readings that are what their names say
 OUTLIERS = 0.2  # per cent of the particles at each end whose colour may be that of the limit
 SLANT = 0.35  # how far one metre away goes up and to the right in the view of three dimensions
 WIDTH = 7.0  # inches
@@ -94,6 +94,8 @@ def quantity_of(column):
     """What a probe's column is, by its name; a place is that of a surface or a front."""
     if column in VORTEX_UNITS:
         return column
+    if column.startswith("centre"):
+        return "place"
     for field in ("pressure", "velocity", "density"):
         if f"_{field}" in column:
             return field
@@ -114,8 +116,9 @@ def observed(history, summary):
 def unit_of(quantity, dimension):
     """In a plane all is per length of the third dimension."""
     per_length = "/m" if dimension == 2 else ""
-    return {**VORTEX_UNITS, "kinetic_energy": "J" + per_length, "force": "N" + per_length, "pressure": "Pa",
-            "density": "kg/m³", "velocity": "m/s", "speed": "m/s", "place": "m"}[quantity]
+    hamiltonian = VORTEX_UNITS["hamiltonian"] if dimension == 2 else "m⁵/s²"
+    return {**VORTEX_UNITS, "hamiltonian": hamiltonian, "kinetic_energy": "J" + per_length,
+            "force": "N" + per_length, "pressure": "Pa", "density": "kg/m³", "velocity": "m/s", "speed": "m/s", "place": "m"}[quantity]
 
 
 def draw_history(axes, history, columns, text, summary):

@@ -229,5 +229,8 @@ VortexList<D> spread_on_lattice(const VortexList<D>& vortices, const VortexLatti
 template VortexList<2> remeshed(const VortexList<2>&, const VortexLatticeOptions&, RemeshingLoss*);
 template VortexList<2> spread_on_lattice(const VortexList<2>&, const VortexLatticeOptions&, double,
                                          RemeshingLoss*);
+template VortexList<3> remeshed(const VortexList<3>&, const VortexLatticeOptions&, RemeshingLoss*);
+template VortexList<3> spread_on_lattice(const VortexList<3>&, const VortexLatticeOptions&, double,
+                                         RemeshingLoss*);
 
 }  // namespace mote

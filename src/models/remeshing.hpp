@@ -20,8 +20,9 @@ struct RemeshingLoss {
 
 /// Puts vortices on a lattice by products of M4', Monaghan's (1985) kernel of four nodes an axis,
 ///   1 - 5/2 s^2 + 3/2 s^3 for s < 1,   (2 - s)^2 (1 - s)/2 for s < 2,
-/// whose sums with 1, x and x^2 are exact: circulation, linear and angular impulse stay. Nodes
-/// below the threshold stay empty; what they would have had is given back to the others by
+/// whose sums with 1, x and x^2 are exact: circulation, linear and angular impulse stay, in space
+/// of each component. Nodes below the threshold stay empty; what they would have had is given back
+/// to the others by
 ///   |Gamma_i| (a + b . x_i + c x_i^2),
 /// with a, b and c such that all three stay (in a box a alone). Returns the vortices in the order
 /// of nodes, x fastest.
@@ -38,6 +39,10 @@ VortexList<D> spread_on_lattice(const VortexList<D>& vortices, const VortexLatti
 extern template VortexList<2> remeshed(const VortexList<2>&, const VortexLatticeOptions&,
                                        RemeshingLoss*);
 extern template VortexList<2> spread_on_lattice(const VortexList<2>&, const VortexLatticeOptions&,
+                                                double, RemeshingLoss*);
+extern template VortexList<3> remeshed(const VortexList<3>&, const VortexLatticeOptions&,
+                                       RemeshingLoss*);
+extern template VortexList<3> spread_on_lattice(const VortexList<3>&, const VortexLatticeOptions&,
                                                 double, RemeshingLoss*);
 
 /// From so many spacings on sums of a Gauss function over a lattice are integrals: their error is

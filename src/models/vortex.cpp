@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mote/particles/failure.hpp"
+#include "mote/particles/parallel.hpp"
 
 namespace mote {
 namespace {
@@ -27,10 +28,17 @@ Vortex<D>::Vortex(const VortexOptions& options, SpaceSetup setup)
   if (vortices_.in_a_box()) need_no_net_circulation();
   bind();
   update_dependent_fields();
-  const VortexMoments m = moments();
-  has_circulation_ = std::abs(m.circulation) > small_net * m.magnitude;
-  is_a_pair_ = vortices_.count() == 2 && options_.remesh_every == 0;
+  learn_from_start();
   complete_fields();
+}
+
+template <int D>
+void Vortex<D>::learn_from_start() {
+  if constexpr (D == 2) {
+    const VortexMoments m = moments();
+    has_circulation_ = std::abs(m.circulation) > small_net * m.magnitude;
+    is_a_pair_ = vortices_.count() == 2 && options_.remesh_every == 0;
+  }
 }
 
 template <int D>
@@ -38,7 +46,8 @@ void Vortex<D>::bind() {
   circulation_rate_.assign(vortices_.circulation().size(), 0);
   drifted_ = {{vortices_.position(), vortices_.velocity()}};
   kicked_.clear();
-  if (diffusion_->changes_circulation())
+  gradient_.assign(D == 3 ? vortices_.position().size() * D : 0, 0);
+  if (diffusion_->changes_circulation() || D == 3)
     kicked_.push_back({vortices_.circulation(), circulation_rate_});
 }
 
@@ -46,14 +55,16 @@ void Vortex<D>::bind() {
 /// away in proportion.
 template <int D>
 void Vortex<D>::need_no_net_circulation() {
-  const VortexMoments m = moments();
-  if (std::abs(m.circulation) > small_net * m.magnitude)
-    throw InputError(options_.vortices.empty() ? "initial.vorticity" : "model.vortices",
-                     fmt::format("the circulations in a periodic box must add up to 0, and here "
-                                 "they come to {:.3g}, {:.3g} of their magnitudes",
-                                 m.circulation, std::abs(m.circulation) / m.magnitude));
-  for (double& circulation : vortices_.circulation())
-    circulation -= std::abs(circulation) * m.circulation / m.magnitude;
+  if constexpr (D == 2) {
+    const VortexMoments m = moments();
+    if (std::abs(m.circulation) > small_net * m.magnitude)
+      throw InputError(options_.vortices.empty() ? "initial.vorticity" : "model.vortices",
+                       fmt::format("the circulations in a periodic box must add up to 0, and here "
+                                   "they come to {:.3g}, {:.3g} of their magnitudes",
+                                   m.circulation, std::abs(m.circulation) / m.magnitude));
+    for (double& circulation : vortices_.circulation())
+      circulation -= std::abs(circulation) * m.circulation / m.magnitude;
+  }
 }
 
 template <int D>
@@ -78,8 +89,9 @@ void Vortex<D>::update_drift_rates(double time) {
                      std::ranges::equal(summed_.position, vortices_.position()) &&
                      std::ranges::equal(summed_.circulation, vortices_.circulation());
   if (known) return;
-  induced_->at_sources(sources(), vortices_.velocity());
+  induced_->at_sources(sources(), {vortices_.velocity(), gradient_});
   free_stream_.add(vortices_.position(), time, vortices_.velocity());
+  if (D == 3) free_stream_.add_gradient(vortices_.position(), time, gradient_);
   summed_.time = time;
   summed_.core_size = vortices_.core_size();
   summed_.position.assign(vortices_.position().begin(), vortices_.position().end());
@@ -87,8 +99,30 @@ void Vortex<D>::update_drift_rates(double time) {
 }
 
 template <int D>
-void Vortex<D>::update_kick_rates(double /*time*/) {
-  if (!kicked_.empty()) diffusion_->find_rates(vortices_, circulation_rate_);
+void Vortex<D>::update_kick_rates(double time) {
+  if (kicked_.empty()) return;
+  diffusion_->find_rates(vortices_, circulation_rate_);
+  if constexpr (D == 3) {
+    update_drift_rates(time);  // for the gradient
+    add_stretching();
+  }
+}
+
+template <int D>
+void Vortex<D>::add_stretching() {
+  using Slope = Eigen::Map<const Eigen::Matrix<double, D, D, Eigen::RowMajor>>;
+  const bool transposed = options_.stretches_as(Stretching::transposed);
+  const bool alone = !diffusion_->changes_circulation();
+  const auto circulation = vortices_.circulation();
+#pragma omp parallel for schedule(static) if (parallel_from <= vortices_.count())
+  for (Index i = 0; i < vortices_.count(); ++i) {
+    const std::ptrdiff_t first = std::ptrdiff_t{i} * D;
+    const Slope slope(gradient_.data() + first * D);
+    const Vec<D> alpha = Vec<D>::Map(circulation.data() + first);
+    auto rate = Vec<D>::Map(circulation_rate_.data() + first);
+    if (alone) rate.setZero();
+    rate += transposed ? Vec<D>(slope.transpose() * alpha) : Vec<D>(slope * alpha);
+  }
 }
 
 template <int D>
@@ -158,7 +192,7 @@ template <int D>
 void Vortex<D>::inspect() const {
   for (Index i = 0; i < vortices_.count(); ++i)
     if (!vortices_.place(i).allFinite() ||
-        !std::isfinite(vortices_.density(static_cast<std::size_t>(i))))
+        !std::isfinite(vortices_.strength(static_cast<std::size_t>(i))))
       throw NumericalFailure(
           fmt::format("vortex {} has a place or a circulation that is not finite", i), {i},
           "the step is too long");
@@ -190,5 +224,6 @@ double Vortex<D>::longest_step(double /*time*/, double courant) {
 }
 
 template class Vortex<2>;
+template class Vortex<3>;
 
 }  // namespace mote

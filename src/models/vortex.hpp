@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "mote/models/free_stream.hpp"
@@ -9,11 +10,15 @@
 #include "mote/models/remeshing.hpp"
 #include "mote/models/vortex_diffusion.hpp"
 #include "mote/models/vortex_moments.hpp"
+#include "mote/models/vortex_space_moments.hpp"
 
 namespace mote {
 
 /// The vortex method: dx/dt = u, (40) of Isshiki (2014), with the velocity of all vortices by the
-/// volume integral of (38) and a free stream. Friction changes circulations, sizes or places
+/// volume integral of (38) and a free stream. In space circulation alpha stretches:
+///   d alpha_i/dt = (grad u)^T alpha_i  or  (alpha_i . grad) u
+/// (Winckelmans & Leonard 1993), the transposed and the classical form. Friction changes
+/// circulations, sizes or places
 /// (`VortexDiffusion`); every so many steps the vortices may be put back on a lattice.
 template <int D>
 class Vortex final : public Model {
@@ -58,7 +63,9 @@ class Vortex final : public Model {
   double core_size_at(double time) const;
   void remesh();
   VortexLatticeOptions lattice() const;
-  VortexMoments moments() const;
+  void add_stretching();
+  std::conditional_t<D == 2, VortexMoments, SpaceVortexMoments> moments() const;
+  void learn_from_start();
   bool keeps_impulse() const;
   bool keeps_angular_impulse() const;
 
@@ -68,6 +75,7 @@ class Vortex final : public Model {
   std::unique_ptr<VortexDiffusion<D>> diffusion_;
   FreeStream<D> free_stream_;
   std::vector<double> circulation_rate_;
+  std::vector<double> gradient_;  ///< of the velocity, in space
   std::vector<Evolving> drifted_, kicked_;
 
   double time_ = 0;       ///< that the state is of, or the step begins at
@@ -86,6 +94,20 @@ class Vortex final : public Model {
   } course_;
 };
 
+template <>
+VortexMoments Vortex<2>::moments() const;
+template <>
+std::vector<Conserved> Vortex<2>::conserved() const;
+template <>
+std::vector<Reading> Vortex<2>::readings() const;
+template <>
+SpaceVortexMoments Vortex<3>::moments() const;
+template <>
+std::vector<Conserved> Vortex<3>::conserved() const;
+template <>
+std::vector<Reading> Vortex<3>::readings() const;
+
 extern template class Vortex<2>;
+extern template class Vortex<3>;
 
 }  // namespace mote

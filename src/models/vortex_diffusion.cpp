@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "mote/operators/differential/apply.hpp"
+#include "mote/particles/failure.hpp"
 #include "mote/particles/random.hpp"
 
 namespace mote {
@@ -77,41 +78,55 @@ class OperatorDiffusion final : public VortexDiffusion<D> {
         floor_(options.floor),
         operator_(&dynamic_cast<DifferentialOperator<D>&>(*setup.differential_operator)),
         owner_(std::move(setup.differential_operator)),
-        neighbours_(setup, setup.search, operator_->neighbour_rule()) {}
+        neighbours_(setup, setup.search, operator_->neighbour_rule()) {
+    if (D == 3 && operator_->needs_circulation())
+      throw InputError("operator",
+                       "this operator weighs by circulation as one number, and in space it is a "
+                       "vector: choose another one");
+  }
 
   bool changes_circulation() const override { return true; }
   PairWork pair_work() const override { return work_; }
 
   void find_rates(const VortexParticles<D>& vortices, std::span<double> rate) override {
-    static_assert(VortexList<D>::strengths == 1, "the vorticity of space has three components");
     neighbours_.find(vortices);
     note_work(neighbours_.lists(), work_);
     Points<D>& points = neighbours_.points();
+    if (D == 2) show_circulation(vortices, points);
+    exempt_weak_ones(vortices, points);
+    operator_->prepare(points, neighbours_.lists());
+    for_each_row<double>(neighbours_.lists(), [&](Index i, auto neighbours, auto weights) {
+      const auto own = static_cast<std::size_t>(i);
+      for (std::size_t c = 0; c < strengths; ++c) rate[own * strengths + c] = 0;
+      if (!points.needs_weights(i)) return;
+      operator_->laplacian_weights(i, weights);
+      for (std::size_t c = 0; c < strengths; ++c) {
+        double sum = 0;
+        for (std::size_t k = 0; k < neighbours.size(); ++k)
+          sum += weights[k] *
+                 (vortices.density(static_cast<std::size_t>(neighbours_.owner(neighbours[k])), c) -
+                  vortices.density(own, c));
+        rate[own * strengths + c] = viscosity_ * vortices.volume()[own] * sum;
+      }
+    });
+  }
+
+ private:
+  static constexpr std::size_t strengths = VortexList<D>::strengths;
+
+  void show_circulation(const VortexParticles<D>& vortices, Points<D>& points) const {
     for (std::size_t k = 0; k < points.vorticity.size(); ++k) {
       const auto i = static_cast<std::size_t>(neighbours_.owner(static_cast<Index>(k)));
       points.circulation[k] = vortices.circulation()[i];
       points.vorticity[k] = vortices.density(i);
     }
-    exempt_weak_ones(points, vortices.highest_density());
-    operator_->prepare(points, neighbours_.lists());
-    for_each_row<double>(neighbours_.lists(), [&](Index i, auto neighbours, auto weights) {
-      const auto own = static_cast<std::size_t>(i);
-      rate[own] = 0;
-      if (!points.needs_weights(i)) return;
-      operator_->laplacian_weights(i, weights);
-      double sum = 0;
-      for (std::size_t k = 0; k < neighbours.size(); ++k)
-        sum += weights[k] *
-               (points.vorticity[static_cast<std::size_t>(neighbours[k])] - points.vorticity[own]);
-      rate[own] = viscosity_ * vortices.volume()[own] * sum;
-    });
   }
 
- private:
-  void exempt_weak_ones(Points<D>& points, double highest) const {
+  void exempt_weak_ones(const VortexParticles<D>& vortices, Points<D>& points) const {
+    const double highest = vortices.highest_density();
     points.exempt.resize(static_cast<std::size_t>(points.receivers));
     for (std::size_t i = 0; i < points.exempt.size(); ++i)
-      points.exempt[i] = std::abs(points.vorticity[i]) <= floor_ * highest ? 1 : 0;
+      points.exempt[i] = vortices.strength(i) / vortices.volume()[i] <= floor_ * highest ? 1 : 0;
   }
 
   double viscosity_, floor_;
@@ -183,6 +198,7 @@ std::unique_ptr<VortexDiffusion<D>> vortex_diffusion(const VortexOptions& option
   return std::make_unique<VortexDiffusion<D>>();
 }
 
+template std::unique_ptr<VortexDiffusion<3>> vortex_diffusion<3>(const VortexOptions&, SpaceSetup&);
 template std::unique_ptr<VortexDiffusion<2>> vortex_diffusion<2>(const VortexOptions&, SpaceSetup&);
 
 }  // namespace mote

@@ -16,7 +16,7 @@ class VortexDiffusion {
   virtual ~VortexDiffusion() = default;
 
   virtual bool changes_circulation() const { return false; }
-  /// d Gamma/dt of every vortex.
+  /// d Gamma/dt of every vortex, or in space d alpha/dt.
   virtual void find_rates(const VortexParticles<D>& /*vortices*/, std::span<double> /*rate*/) {}
   /// At which the square of the core's size grows. [length^2/time]
   virtual double core_growth() const { return 0; }
@@ -34,6 +34,8 @@ std::unique_ptr<VortexDiffusion<D>> vortex_diffusion(const VortexOptions& option
                                                      SpaceSetup& setup);
 
 extern template std::unique_ptr<VortexDiffusion<2>> vortex_diffusion<2>(const VortexOptions&,
+                                                                        SpaceSetup&);
+extern template std::unique_ptr<VortexDiffusion<3>> vortex_diffusion<3>(const VortexOptions&,
                                                                         SpaceSetup&);
 
 }  // namespace mote

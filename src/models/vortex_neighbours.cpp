@@ -31,8 +31,10 @@ void VortexNeighbours<D>::find(const VortexParticles<D>& vortices) {
   std::iota(owners_.begin(), owners_.end(), 0);
   if (vortices.in_a_box()) add_images(vortices.start());
   points_.resize(static_cast<Index>(owners_.size()), count);
-  points_.circulation.resize(owners_.size());
-  points_.vorticity.resize(owners_.size());
+  if (D == 2) {
+    points_.circulation.resize(owners_.size());
+    points_.vorticity.resize(owners_.size());
+  }
   std::ranges::fill(points_.length, vortices.start().spacing);
   std::ranges::fill(points_.density, 1);
   for (std::size_t k = 0; k < owners_.size(); ++k)
@@ -61,5 +63,6 @@ void VortexNeighbours<D>::add_images(const SpaceStart& start) {
 }
 
 template class VortexNeighbours<2>;
+template class VortexNeighbours<3>;
 
 }  // namespace mote

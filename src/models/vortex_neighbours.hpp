@@ -37,5 +37,6 @@ class VortexNeighbours {
 };
 
 extern template class VortexNeighbours<2>;
+extern template class VortexNeighbours<3>;
 
 }  // namespace mote

@@ -26,6 +26,11 @@ constexpr Word<Remeshing> remeshings[] = {
      "for core_spreading: a Gauss function as wide as the cores have grown, which then begin again "
      "at their size; waits until that is 1.3 spacings"}};
 
+constexpr Word<Stretching> stretchings[] = {
+    {Stretching::transposed, "transposed",
+     "d alpha/dt = (grad u)^T alpha: what two vortices give each other adds up to nothing"},
+    {Stretching::classical, "classical", "d alpha/dt = (alpha . grad) u"}};
+
 const Choices sums{{"automatic", "direct for few vortices, multipole for many"},
                    {"direct", "pair by pair"},
                    {"multipole", "an adaptive fast multipole method"}};
@@ -71,6 +76,18 @@ void describe_vortex(Description& d, SingleVortex& vortex) {
   d.number({"circulation", "positive: counter-clockwise", true}, vortex.circulation);
 }
 
+void describe_ring(Description& d, VortexRing& ring) {
+  d.numbers({"centre", "three numbers", true}, ring.centre);
+  d.numbers({"normal", "of its plane, which its middle flows along; of any length"}, ring.normal);
+  d.number({"radius", "of the circle in the middle of its core", true}, ring.radius, positive);
+  d.number({"core",
+            "a of its vorticity Gamma/(pi a^2) exp(-(s/a)^2) at the distance s from the circle, in "
+            "which the size of gauss cores is included: their 2 size^2 is a part of a^2",
+            true},
+           ring.core, positive);
+  d.number({"circulation", "Gamma", true}, ring.circulation);
+}
+
 [[noreturn]] void refuse(const std::string& key, const std::string& message) {
   throw InputError("model." + key, message);
 }
@@ -80,7 +97,7 @@ void describe_vortex(Description& d, SingleVortex& vortex) {
 void VortexOptions::describe(Description& d) {
   d.section({"core", "how the circulation of a vortex is spread"},
             [&] { describe_core(d, *this); });
-  d.section({"sum", "how velocities are summed in the unbounded plane"}, [&] {
+  d.section({"sum", "how velocities are summed in an unbounded fluid"}, [&] {
     d.choice({"method", "which way"}, sum, sums);
     d.number({"tolerance", "of the multipole method: error over the largest velocity"}, tolerance,
              {1e-13, 1e-2});
@@ -97,11 +114,24 @@ void VortexOptions::describe(Description& d) {
                  "velocity far away in x, y and t, one formula a dimension, free of divergence and "
                  "rotation; default: none"},
                 free_stream);
-  describe_list(d, {"vortices", "that are given by themselves, beside the vorticity of `initial`"},
-                vortices, [&](SingleVortex& vortex) { describe_vortex(d, vortex); });
+  describe_list(
+      d,
+      {"vortices", "in the plane: that are given by themselves, beside the vorticity of `initial`"},
+      vortices, [&](SingleVortex& vortex) { describe_vortex(d, vortex); });
+  describe_list(d, {"rings", "in space: vortex rings, beside the vorticity of `initial`"}, rings,
+                [&](VortexRing& ring) { describe_ring(d, ring); });
+  describe_words(d,
+                 {"stretching", "in space: how circulation alpha stretches; default: transposed"},
+                 stretching, stretchings);
 }
 
-void VortexOptions::check() const {
+void VortexOptions::check(int dimension) const {
+  if (dimension == 2 && stretching) refuse("stretching", "in the plane nothing stretches vortices");
+  if (dimension == 2 && !rings.empty()) refuse("rings", "vortex rings need 3 dimensions");
+  if (dimension == 3 && !vortices.empty())
+    refuse("vortices",
+           "in space circulation is a vector: give 'rings' or a vorticity in 'initial' in place of "
+           "'vortices'");
   if (overlap && core_size)
     refuse("core.size", "'size' and 'overlap' both say how large cores are");
   if (diffusion != Diffusion::none && kinematic_viscosity == 0)
@@ -120,18 +150,25 @@ double VortexOptions::core_radius(double spacing) const {
   return core_size.value_or(overlap.value_or(1.5) * spacing);
 }
 
-std::vector<InitialField> VortexRecipe::initial_fields(int /*dimension*/) const {
+std::vector<InitialField> VortexRecipe::initial_fields(int dimension) const {
+  if (dimension == 3)
+    return {{"vorticity_x", "vorticity of the fluid's particles, each with its cell", "0"},
+            {"vorticity_y", "its component along y", "0"},
+            {"vorticity_z", "its component along z", "0"}};
   return {{"vorticity", "vorticity of the fluid's particles, each with its cell", "0"}};
 }
 
-std::vector<std::string> VortexRecipe::conserved_names(int /*dimension*/) const {
+std::vector<std::string> VortexRecipe::conserved_names(int dimension) const {
+  if (dimension == 3)
+    return {"circulation_x",     "circulation_y",     "circulation_z",
+            "impulse_x",         "impulse_y",         "impulse_z",
+            "angular_impulse_x", "angular_impulse_y", "angular_impulse_z"};
   return {"circulation", "impulse_x", "impulse_y", "angular_impulse"};
 }
 
 std::unique_ptr<Model> VortexRecipe::make(SpaceSetup setup) const {
-  if (setup.dimension != 2)
-    throw InputError("dimension", "the model vortex lives in 2 dimensions, this scenario in 3");
-  options.check();
+  options.check(setup.dimension);
+  if (setup.dimension == 3) return std::make_unique<Vortex<3>>(options, std::move(setup));
   return std::make_unique<Vortex<2>>(options, std::move(setup));
 }
 

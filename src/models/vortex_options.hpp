@@ -22,6 +22,16 @@ struct SingleVortex {
   double circulation = 0;
 };
 
+/// How circulation stretches in space; see `describe`.
+enum class Stretching { transposed, classical };
+
+/// A ring whose core is a Gauss function, omega = Gamma/(pi core^2) exp(-(s/core)^2) at the
+/// distance s from its circle.
+struct VortexRing {
+  std::vector<double> centre, normal{0, 0, 1};
+  double radius = 1, core = 0.1, circulation = 1;
+};
+
 /// Options of the vortex method; see `describe` for their meaning.
 struct VortexOptions {
   std::string core = "gauss";
@@ -42,10 +52,15 @@ struct VortexOptions {
 
   std::vector<std::string> free_stream;
   std::vector<SingleVortex> vortices;
+  std::vector<VortexRing> rings;
+  std::optional<Stretching> stretching;
 
   void describe(Description& description);
   /// Refuses what does not go together. Throws InputError.
-  void check() const;
+  void check(int dimension) const;
+  bool stretches_as(Stretching form) const {
+    return stretching.value_or(Stretching::transposed) == form;
+  }
   /// Radius of the cores of blobs that stand so far apart.
   double core_radius(double spacing) const;
 };
@@ -55,7 +70,8 @@ class VortexRecipe final : public ModelRecipe {
  public:
   static constexpr std::string_view name = "vortex";
   static constexpr std::string_view summary =
-      "vortex blobs in an unbounded plane, or in a box that is periodic both ways (VBM)";
+      "vortex blobs in the unbounded plane or space, or in a plane box that is periodic both ways "
+      "(VBM)";
 
   VortexOptions options;
 

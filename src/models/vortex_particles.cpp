@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mote/models/vortex_rings.hpp"
 #include "mote/particles/failure.hpp"
 
 namespace mote {
@@ -15,6 +16,11 @@ void refuse_walls(const SpaceStart& start) {
     if (body.kind == BodyKind::wall)
       throw InputError("model.type",
                        fmt::format("vortices know no walls, and '{}' is one", body.name));
+}
+
+double magnitude(std::span<const double> strength) {
+  if (strength.size() == 1) return std::abs(strength[0]);
+  return Vec<3>::Map(strength.data()).norm();
 }
 
 }  // namespace
@@ -30,13 +36,17 @@ VortexParticles<D>::VortexParticles(const VortexOptions& options, SpaceStart sta
   cloud_.add("volume", FieldKind::scalar, D == 2 ? "m²" : "m³");
   cloud_.add("core_size", FieldKind::scalar, "m");
   cloud_.add("age", FieldKind::scalar, "");
+  if (D == 3) cloud_.add("ring", FieldKind::scalar, "");
   cloud_.add("body", FieldKind::scalar, "");
-  VortexList<D> vortices = blobs(options.threshold);
+  VortexList<D> vortices;
+  add_rings(options, vortices);
+  add_blobs(options.threshold, vortices);
   add_single(options, vortices);
   if (vortices.count() == 0)
-    throw InputError("initial.vorticity",
-                     "there is no vortex: neither has 'initial' a vorticity, nor the model "
-                     "'vortices'");
+    throw InputError(D == 2 ? "initial.vorticity" : "initial.vorticity_x",
+                     fmt::format("there is no vortex: neither has 'initial' a vorticity, nor the "
+                                 "model '{}'",
+                                 D == 2 ? "vortices" : "rings"));
   replace(vortices);
   spread_cores(options.core_radius(start_.spacing));
 }
@@ -50,26 +60,52 @@ void VortexParticles<D>::bind() {
   volume_ = cloud_.values("volume");
   core_size_ = cloud_.values("core_size");
   age_ = cloud_.values("age");
+  if (D == 3) ring_ = cloud_.values("ring");
+}
+
+template <int D>
+std::array<double, VortexParticles<D>::strengths> VortexParticles<D>::initial_vorticity(
+    std::size_t particle) const {
+  Triple place{};
+  std::copy_n(start_.position.begin() + static_cast<std::ptrdiff_t>(particle * D), D,
+              place.begin());
+  if constexpr (D == 2)
+    return {start_.initial("vorticity", place)};
+  else
+    return {start_.initial("vorticity_x", place), start_.initial("vorticity_y", place),
+            start_.initial("vorticity_z", place)};
 }
 
 /// A vortex for each particle of the fluid: its vorticity times its cell.
 template <int D>
-VortexList<D> VortexParticles<D>::blobs(double threshold) const {
-  static_assert(D == 2, "the vorticity of space has three components");
+void VortexParticles<D>::add_blobs(double threshold, VortexList<D>& vortices) const {
   const double cell = std::pow(start_.spacing, D);
-  std::vector<double> circulation(start_.body.size());
-  double highest = 0;
+  std::vector<std::array<double, strengths>> circulation(start_.body.size());
+  std::vector<double> size(circulation.size());
   for (std::size_t i = 0; i < circulation.size(); ++i) {
-    Triple place{};
-    std::copy_n(start_.position.begin() + static_cast<std::ptrdiff_t>(i * D), D, place.begin());
-    circulation[i] = cell * start_.initial("vorticity", place);
-    highest = std::max(highest, std::abs(circulation[i]));
+    circulation[i] = initial_vorticity(i);
+    for (double& component : circulation[i]) component *= cell;
+    size[i] = magnitude(circulation[i]);
   }
-  VortexList<D> vortices;
+  const double highest = size.empty() ? 0 : *std::ranges::max_element(size);
   for (std::size_t i = 0; i < circulation.size(); ++i)
-    if (std::abs(circulation[i]) > threshold * highest)
-      vortices.add({start_.position.data() + i * D, D}, {&circulation[i], 1});
-  return vortices;
+    if (size[i] > threshold * highest)
+      vortices.add({start_.position.data() + i * D, D}, circulation[i]);
+}
+
+template <int D>
+void VortexParticles<D>::add_rings(const VortexOptions& options, VortexList<D>& vortices) const {
+  if constexpr (D == 3) {
+    const double blobs = options.core == "gauss" ? options.core_radius(start_.spacing) : 0;
+    for (std::size_t k = 0; k < options.rings.size(); ++k) {
+      const VortexList<3> ring =
+          ring_particles(options.rings[k], {start_.spacing, blobs, options.threshold},
+                         fmt::format("model.rings.{}", k));
+      vortices.add(ring.position, ring.circulation);
+      vortices.volume.insert(vortices.volume.end(), ring.volume.begin(), ring.volume.end());
+      vortices.ring.resize(vortices.count(), static_cast<double>(k + 1));
+    }
+  }
 }
 
 template <int D>
@@ -96,9 +132,13 @@ template <int D>
 double VortexParticles<D>::highest_density() const {
   double highest = 0;
   for (std::size_t i = 0; i < volume_.size(); ++i)
-    for (std::size_t c = 0; c < strengths; ++c)
-      highest = std::max(highest, std::abs(density(i, c)));
+    highest = std::max(highest, strength(i) / volume_[i]);
   return highest;
+}
+
+template <int D>
+double VortexParticles<D>::strength(std::size_t i) const {
+  return magnitude(circulation_.subspan(i * strengths, strengths));
 }
 
 template <int D>
@@ -109,6 +149,9 @@ void VortexParticles<D>::replace(const VortexList<D>& vortices) {
   std::ranges::copy(vortices.position, position_.begin());
   std::ranges::copy(vortices.circulation, circulation_.begin());
   std::ranges::fill(volume_, std::pow(start_.spacing, D));
+  std::ranges::copy(vortices.volume, volume_.begin());
+  std::ranges::fill(ring_, 0);
+  std::ranges::copy(vortices.ring, ring_.begin());
   std::ranges::fill(age_, 0);
   std::ranges::fill(cloud_.values("body"), 0);
   spread_cores(size);
@@ -135,5 +178,6 @@ void VortexParticles<D>::restore(const Cloud& state) {
 }
 
 template class VortexParticles<2>;
+template class VortexParticles<3>;
 
 }  // namespace mote

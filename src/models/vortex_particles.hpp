@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct VortexList {
   static constexpr std::size_t strengths = D == 2 ? 1 : 3;
 
   std::vector<double> position, circulation;
+  /// The first ones may have volumes of their own, the others have that of a cell; and they may be
+  /// of rings, which count from 1.
+  std::vector<double> volume, ring;
 
   std::size_t count() const { return position.size() / D; }
   void add(std::span<const double> place, std::span<const double> strength) {
@@ -44,6 +48,8 @@ class VortexParticles {
   std::span<double> circulation() const { return circulation_; }  ///< `strengths` numbers each
   std::span<double> vorticity() const { return vorticity_; }      ///< the same
   std::span<double> volume() const { return volume_; }
+  /// In space: the rings that vortices began in, from 1 on, or 0; empty in the plane.
+  std::span<const double> ring() const { return ring_; }
   std::span<double> age() const { return age_; }  ///< steps since the vortices were made
   Vec<D> place(Index i) const { return Vec<D>::Map(position_.data() + std::ptrdiff_t{i} * D); }
 
@@ -57,8 +63,9 @@ class VortexParticles {
   }
   /// Largest magnitude of it.
   double highest_density() const;
+  double strength(std::size_t i) const;  ///< magnitude of the circulation of vortex i
 
-  /// Other vortices in place of these, each with the volume of a cell.
+  /// Other vortices in place of these.
   void replace(const VortexList<D>& vortices);
   /// In a periodic box: brings what has left it back in.
   void wrap();
@@ -67,14 +74,18 @@ class VortexParticles {
 
  private:
   void bind();
-  VortexList<D> blobs(double threshold) const;
+  std::array<double, strengths> initial_vorticity(std::size_t particle) const;
+  void add_blobs(double threshold, VortexList<D>& vortices) const;
+  void add_rings(const VortexOptions& options, VortexList<D>& vortices) const;
   void add_single(const VortexOptions& options, VortexList<D>& vortices) const;
 
   SpaceStart start_;
   Cloud cloud_;
-  std::span<double> position_, velocity_, circulation_, vorticity_, volume_, core_size_, age_;
+  std::span<double> position_, velocity_, circulation_, vorticity_, volume_, core_size_, age_,
+      ring_;
 };
 
 extern template class VortexParticles<2>;
+extern template class VortexParticles<3>;
 
 }  // namespace mote

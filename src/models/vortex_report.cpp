@@ -6,9 +6,8 @@
 
 namespace mote {
 
-template <int D>
-VortexMoments Vortex<D>::moments() const {
-  static_assert(D == 2, "moments of vortices in space are other ones");
+template <>
+VortexMoments Vortex<2>::moments() const {
   return vortex_moments(vortices_.position(), vortices_.circulation(), vortices_.velocity());
 }
 
@@ -24,8 +23,8 @@ bool Vortex<D>::keeps_angular_impulse() const {
 }
 
 /// Linear impulse: sum of Gamma (y, -x); angular, about the origin: -1/2 sum of Gamma x^2.
-template <int D>
-std::vector<Conserved> Vortex<D>::conserved() const {
+template <>
+std::vector<Conserved> Vortex<2>::conserved() const {
   const VortexMoments m = moments();
   std::vector<Conserved> quantities{{"circulation", m.circulation, m.magnitude}};
   if (keeps_impulse()) {
@@ -42,15 +41,15 @@ std::vector<Conserved> Vortex<D>::conserved() const {
 }
 
 /// What is spread in the plane, by its moments; in a box, where places have no origin, the energy.
-template <int D>
-std::vector<Reading> Vortex<D>::readings() const {
+template <>
+std::vector<Reading> Vortex<2>::readings() const {
   const VortexMoments m = moments();
   std::vector<Reading> readings{{"vortices", static_cast<double>(vortices_.count())}};
   const auto velocity = vortices_.velocity();
   if (vortices_.in_a_box()) {
     double energy = 0;
     for (std::size_t k = 0; k < velocity.size(); ++k)
-      energy += 0.5 * vortices_.volume()[k / D] * velocity[k] * velocity[k];
+      energy += 0.5 * vortices_.volume()[k / 2] * velocity[k] * velocity[k];
     readings.push_back({"kinetic_energy", energy});
     return readings;
   }
@@ -62,7 +61,7 @@ std::vector<Reading> Vortex<D>::readings() const {
   if (const auto hamiltonian = induced_->hamiltonian(sources()))
     readings.push_back({"hamiltonian", *hamiltonian});
   if (is_a_pair_) {
-    const Vec<D> apart = vortices_.place(1) - vortices_.place(0);
+    const Vec<2> apart = vortices_.place(1) - vortices_.place(0);
     readings.push_back({"separation", apart.norm()});
     readings.push_back({"angle", std::atan2(apart[1], apart[0])});
   }
@@ -127,5 +126,6 @@ Parameters Vortex<D>::parameters() const {
 }
 
 template class Vortex<2>;
+template class Vortex<3>;
 
 }  // namespace mote

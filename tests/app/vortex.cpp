@@ -67,6 +67,38 @@ time: {integrator: runge_kutta_4, step: 0.02, end: 0.2}
 output: {every: 0.05, picture: false}
 )yaml";
 
+/// Two rings in space that exchange circulation, by the multipole method.
+constexpr const char* rings = R"yaml(name: rings
+dimension: 3
+domain: {lower: [-1, -1, -1], upper: [1, 1, 1]}
+particles: {spacing: 0.1}
+model:
+  type: vortex
+  core: {name: gauss, overlap: 1.2}
+  sum: {method: multipole, tolerance: 1e-4}
+  kinematic_viscosity: 0.001
+  diffusion: particle_strength_exchange
+  threshold: 0.01
+  rings:
+    - {centre: [0, 0, 0], radius: 1, core: 0.25, circulation: 1}
+    - {centre: [0, 0, 0.6], normal: [0, 0.2, 1], radius: 1, core: 0.25, circulation: 1}
+operator: sph.gauss
+time: {integrator: runge_kutta_4, step: 0.05, end: 0.2}
+output: {every: 0.05, picture: false}
+)yaml";
+
+/// Vorticity by formulas in space, put on a lattice.
+constexpr const char* formulas = R"yaml(name: formulas
+dimension: 3
+domain: {lower: [-1, -1, -1], upper: [1, 1, 1]}
+particles: {spacing: 0.2}
+model: {type: vortex, sum: {method: direct}, stretching: classical, remesh: {every: 2}, threshold: 1e-3}
+initial: {vorticity_x: "-y*exp(-6*r^2)", vorticity_y: "x*exp(-6*r^2)", vorticity_z: "exp(-9*r^2)"}
+operator: sph.gauss
+time: {integrator: runge_kutta_4, step: 0.05, end: 0.2}
+output: {every: 0.05, picture: false}
+)yaml";
+
 struct VortexRun : FlowRuns, testing::WithParamInterface<const char*> {};
 
 TEST_P(VortexRun, HasTheSameBitsForAnyNumberOfThreads) {
@@ -89,7 +121,7 @@ TEST_P(VortexRun, HasOtherBitsWithAnotherThreshold) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenarios, VortexRun,
-                         testing::Values(exchanging, boxed, walking, spreading));
+                         testing::Values(exchanging, boxed, walking, spreading, rings, formulas));
 
 }  // namespace
 }  // namespace mote::test

@@ -93,6 +93,74 @@ const std::vector<ScenarioCase> vortices{
 
 INSTANTIATE_TEST_SUITE_P(Table, VortexThatCannotBe, testing::ValuesIn(vortices), by_label);
 
+/// A good ring in space with some lines, counted from 1, replaced.
+std::string ring(const std::map<int, std::string>& edits) {
+  static constexpr std::string_view good[] = {
+      /* 1 */ "name: ring",
+      /* 2 */ "dimension: 3",
+      /* 3 */ "domain: {lower: [-1, -1, -1], upper: [1, 1, 1]}",
+      /* 4 */ "particles: {spacing: 0.25}",
+      /* 5 */ "model:",
+      /* 6 */ "  type: vortex",
+      /* 7 */ "  core: {name: gauss, size: 0.1}",
+      /* 8 */ "  rings: [{centre: [0, 0, 0], radius: 1, core: 0.3, circulation: 1}]",
+      /* 9 */ "  threshold: 0.01",
+      /* 10 */ "operator: sph.gauss",
+      /* 11 */ "time: {integrator: runge_kutta_4, step: 0.1, end: 0.1}",
+      /* 12 */ "output: {picture: false}",
+      /* 13 */ "check: {against: nothing}"};
+  return with_edits(good, edits);
+}
+
+std::string ring_of(const std::string& keys) { return ring({{8, "  rings: [{" + keys + "}]"}}); }
+
+class VortexInSpaceThatCannotBe : public BadScenario {};
+TEST_P(VortexInSpaceThatCannotBe, IsRefused) { expect_refused(); }
+
+const std::vector<ScenarioCase> vortices_in_space{
+    {"scalar_circulation", ring({{8, "  vortices: @[{position: [0, 0, 0], circulation: 1}]"}}),
+     "in space circulation is a vector: give 'rings' or a vorticity in 'initial' in place of "
+     "'vortices'"},
+    {"fat_core", ring_of("centre: [0, 0, 0], radius: 1, core: @1.5, circulation: 1"),
+     "the core of a ring is thinner than its radius, 1, and this is 1.5"},
+    {"core_up_to_the_axis", ring_of("centre: [0, 0, 0], radius: 1, core: @0.9, circulation: 1"),
+     "the core reaches the ring's axis: a higher 'threshold' ends it before"},
+    {"core_thinner_than_blobs", ring_of("centre: [0, 0, 0], radius: 1, core: @0.1, circulation: 1"),
+     "the blobs alone are as thick as 0.141421, and the core must be thicker, here 0.1: a smaller "
+     "'spacing' or 'core.size' helps"},
+    {"no_radius", ring_of("centre: [0, 0, 0], radius: @0, core: 0.3, circulation: 1"), "radius"},
+    {"centre_in_the_plane", ring_of("centre: @[0, 0], radius: 1, core: 0.3, circulation: 1"),
+     "three numbers are needed, and there are 2"},
+    {"no_direction",
+     ring_of("centre: [0, 0, 0], normal: @[0, 0, 0], radius: 1, core: 0.3, circulation: 1"),
+     "'normal' has no direction"},
+    {"no_vortex", ring({{8, "initial: {vorticity_x: @\"0\"}"}, {9, ""}}),
+     "there is no vortex: neither has 'initial' a vorticity, nor the model 'rings'"},
+    {"periodic",
+     ring({{3, "domain: {lower: [-1, -1, -1], upper: [1, 1, 1], periodic: @[x, y, z]}"}}),
+     "vortices in space need a fluid without bounds"},
+    {"stretching_by_another_name", ring({{9, "  stretching: @mixed"}}), "unknown name 'mixed'"},
+    {"operator_of_one_circulation",
+     ring({{9, "  kinematic_viscosity: 0.01\n  diffusion: sph"},
+           {10, "operator: @vortex_blob.gauss"}}),
+     "this operator weighs by circulation as one number, and in space it is a vector: choose "
+     "another one"},
+    {"rings_in_the_plane",
+     model("rings: @[{centre: [0, 0, 0], radius: 1, core: 0.1, circulation: 1}]"),
+     "vortex rings need 3 dimensions"},
+    {"stretching_in_the_plane", model("stretching: @classical"),
+     "in the plane nothing stretches vortices"}};
+
+INSTANTIATE_TEST_SUITE_P(Table, VortexInSpaceThatCannotBe, testing::ValuesIn(vortices_in_space),
+                         by_label);
+
+/// Negative control: the good ring runs.
+TEST(VortexInSpace, Runs) {
+  const Outcome outcome = Workspace(ring({})).mote(running({"--out", "out", "--quiet"}));
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.errors, "");
+}
+
 /// What a run of this scenario answers.
 Outcome outcome_of(const std::string& scenario) {
   return Workspace(scenario).mote(running({"--out", "out", "--quiet"}));

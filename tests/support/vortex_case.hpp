@@ -45,7 +45,8 @@ inline std::unique_ptr<Vortex<2>> make_vortices(const VortexCase& flow) {
 }
 
 /// Steps of this length, as a run takes them.
-inline void take_steps(Vortex<2>& flow, int steps, double step, double start = 0) {
+template <int D>
+void take_steps(Vortex<D>& flow, int steps, double step, double start = 0) {
   RungeKutta4 integrator;
   flow.start_afresh();
   for (int k = 0; k < steps; ++k) {
