@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mote/models/bodies_options.hpp"
 #include "mote/models/incompressible_options.hpp"
 #include "mote/models/pressureless_gas.hpp"
 #include "mote/models/vortex_options.hpp"
@@ -10,6 +11,6 @@ namespace mote {
 
 /// The models of mote. A new one is its pair of files, a scenario and a word here.
 using Models = TypeList<PressurelessGasRecipe, WeaklyCompressibleRecipe, IncompressibleRecipe,
-                        VortexRecipe>;
+                        VortexRecipe, BodiesRecipe>;
 
 }  // namespace mote
