@@ -40,15 +40,12 @@ template <int D>
 void refuse_two_on_one_place(const BodiesOptions& options, const MassList<D>& bodies) {
   std::vector<std::size_t> order(bodies.count());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto place = [&](std::size_t i) {
-    return std::span(bodies.position).subspan(i * D, D);
-  };
+  const auto place = [&](std::size_t i) { return std::span(bodies.position).subspan(i * D, D); };
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
     return std::ranges::lexicographical_compare(place(a), place(b));
   });
-  const auto same = std::ranges::adjacent_find(order, [&](std::size_t a, std::size_t b) {
-    return std::ranges::equal(place(a), place(b));
-  });
+  const auto same = std::ranges::adjacent_find(
+      order, [&](std::size_t a, std::size_t b) { return std::ranges::equal(place(a), place(b)); });
   if (same == order.end()) return;
   const auto [key, words] = origin_of(options, *std::next(same));
   throw InputError(

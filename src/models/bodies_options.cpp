@@ -50,12 +50,11 @@ void BodiesOptions::describe(Description& d) {
              tolerance, {1e-13, 1e-3});
   });
   d.section({"softening", "how the mass of a body is spread"}, [&] {
-    d.variant({"name", "form of the spread mass"}, core, softenings(),
-              [&](const std::string& name) {
-                if (name != "point")
-                  d.number({"size", "its radius, the same for all bodies", true}, core_size,
-                           positive);
-              });
+    d.variant(
+        {"name", "form of the spread mass"}, core, softenings(), [&](const std::string& name) {
+          if (name != "point")
+            d.number({"size", "its radius, the same for all bodies", true}, core_size, positive);
+        });
   });
   describe_list(d, {"masses", "bodies that are given by themselves"}, masses,
                 [&](PointMass& body) { describe_mass(d, body); });

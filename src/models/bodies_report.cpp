@@ -21,8 +21,8 @@ Triple turn_of(const Vec<3>& x, const Vec<3>& v) {
 /// Mean over the mass.
 template <int D>
 Vec<D> Bodies<D>::weighted_mean(std::span<const double> vectors) const {
-  const double mass = fixed_sum(cloud_.count(), 0.0,
-                                [&](Index i) { return mass_[static_cast<std::size_t>(i)]; });
+  const double mass =
+      fixed_sum(cloud_.count(), 0.0, [&](Index i) { return mass_[static_cast<std::size_t>(i)]; });
   const Vec<D> sum = fixed_sum(cloud_.count(), Vec<D>(Vec<D>::Zero()), [&](Index i) -> Vec<D> {
     return mass_[static_cast<std::size_t>(i)] * at(vectors, i);
   });
@@ -39,12 +39,11 @@ std::vector<Conserved> Bodies<D>::conserved() const {
   using V = const Vec<D>&;
   const double kinetic = sum([](V, V v) { return 0.5 * v.squaredNorm(); });
   const double potential = gravity_->energy(sources());
-  std::vector<Conserved> quantities{
-      {"energy", kinetic + potential, kinetic + std::abs(potential)}};
+  std::vector<Conserved> quantities{{"energy", kinetic + potential, kinetic + std::abs(potential)}};
   const double momenta = sum([](V, V v) { return v.norm(); });
   for (int d = 0; d < D; ++d)
-    quantities.push_back({fmt::format("momentum_{}", axis_names[d]),
-                          sum([d](V, V v) { return v[d]; }), momenta});
+    quantities.push_back(
+        {fmt::format("momentum_{}", axis_names[d]), sum([d](V, V v) { return v[d]; }), momenta});
   const double turns = sum([](V x, V v) { return x.norm() * v.norm(); });
   for (std::size_t d = 0; d < (D == 2 ? 1 : 3); ++d)
     quantities.push_back(
@@ -71,10 +70,10 @@ double Bodies<D>::virial_ratio() const {
 template <int D>
 std::vector<Reading> Bodies<D>::readings() const {
   if (cloud_.count() < 2) return {};
-  const double kinetic = 0.5 * fixed_sum(cloud_.count(), 0.0, [&](Index i) {
-                           return mass_[static_cast<std::size_t>(i)] *
-                                  at(velocity_, i).squaredNorm();
-                         });
+  const double kinetic =
+      0.5 * fixed_sum(cloud_.count(), 0.0, [&](Index i) {
+        return mass_[static_cast<std::size_t>(i)] * at(velocity_, i).squaredNorm();
+      });
   std::vector<Reading> readings{{"kinetic_energy", kinetic}};
   if (options_.gravitational_constant > 0) readings.push_back({"virial_ratio", virial_ratio()});
   if (cloud_.count() == 2) {
@@ -83,8 +82,7 @@ std::vector<Reading> Bodies<D>::readings() const {
   }
   const Vec<D> centre = weighted_mean(position_);
   std::vector<double> distance;
-  for (Index i = 0; i < cloud_.count(); ++i)
-    distance.push_back((at(position_, i) - centre).norm());
+  for (Index i = 0; i < cloud_.count(); ++i) distance.push_back((at(position_, i) - centre).norm());
   const auto radii = lagrangian_radii(distance, mass_, {0.1, 0.5, 0.9});
   readings.push_back({"radius_10", radii[0]});
   readings.push_back({"half_mass_radius", radii[1]});
@@ -102,9 +100,9 @@ std::vector<std::string> Bodies<D>::remarks() const {
       options_.core == "point"
           ? "points"
           : fmt::format("spread by '{}' of size {:.6g}", options_.core, options_.core_size);
-  return {fmt::format("{} bodies, {}, under gravity that was summed {}.", cloud_.count(), form,
-                      sums),
-          "Space has no bounds: the domain only says where the bodies are expected."};
+  return {
+      fmt::format("{} bodies, {}, under gravity that was summed {}.", cloud_.count(), form, sums),
+      "Space has no bounds: the domain only says where the bodies are expected."};
 }
 
 template <int D>

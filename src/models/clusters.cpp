@@ -94,16 +94,16 @@ void MassList<D>::append(const MassList& others) {
 void describe_cluster(Description& d, Cluster& cluster) {
   const Choices types{{"plummer", "a sphere in equilibrium, its density (1 + (r/a)^2)^(-5/2)"},
                       {"uniform_ball", "at rest; in the plane a disc"}};
-  d.variant({"type", "how its bodies lie and move", true}, cluster.type, types,
-            [&](const std::string& type) {
-              if (type == "plummer") {
-                d.number({"scale_radius", "a", true}, cluster.radius, positive);
-                d.number({"cut_off", "no body is further out, in scale radii"}, cluster.cut_off,
-                         {0.1});
-              } else if (type == "uniform_ball") {
-                d.number({"radius", "of the ball", true}, cluster.radius, positive);
-              }
-            });
+  d.variant(
+      {"type", "how its bodies lie and move", true}, cluster.type, types,
+      [&](const std::string& type) {
+        if (type == "plummer") {
+          d.number({"scale_radius", "a", true}, cluster.radius, positive);
+          d.number({"cut_off", "no body is further out, in scale radii"}, cluster.cut_off, {0.1});
+        } else if (type == "uniform_ball") {
+          d.number({"radius", "of the ball", true}, cluster.radius, positive);
+        }
+      });
   d.count({"count", "of bodies", true}, cluster.count, {1, 1e9});
   d.number({"mass", "of all its bodies together"}, cluster.mass, positive);
   d.count({"seed", "of the random numbers: another one is another cluster"}, cluster.seed,
