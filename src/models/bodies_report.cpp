@@ -12,8 +12,7 @@ namespace {
 /// What a place and a velocity turn by: x cross v. One number in the plane.
 Triple turn_of(const Vec<2>& x, const Vec<2>& v) { return {x[0] * v[1] - x[1] * v[0]}; }
 Triple turn_of(const Vec<3>& x, const Vec<3>& v) {
-  const Vec<3> turn = x.cross(v);
-  return {turn[0], turn[1], turn[2]};
+  return {x[1] * v[2] - x[2] * v[1], x[2] * v[0] - x[0] * v[2], x[0] * v[1] - x[1] * v[0]};
 }
 
 }  // namespace

@@ -77,8 +77,8 @@ TEST(Bodies, ReturnAfterThePeriodOfACircleToTheOrderOfTheIntegrator) {
   const double verlet[] = {orbit_error<VelocityVerlet>(1, 100),
                            orbit_error<VelocityVerlet>(1, 200)};
   EXPECT_NEAR(std::log2(verlet[0] / verlet[1]), 2, 0.05);
-  const double runge_kutta[] = {orbit_error<RungeKutta4>(1, 100), orbit_error<RungeKutta4>(1, 200)};
-  EXPECT_NEAR(std::log2(runge_kutta[0] / runge_kutta[1]), 4, 0.2);
+  const double runge_kutta[] = {orbit_error<RungeKutta4>(1, 400), orbit_error<RungeKutta4>(1, 800)};
+  EXPECT_NEAR(std::log2(runge_kutta[0] / runge_kutta[1]), 4, 0.1);
 }
 
 TEST(Bodies, ReturnAfterThePeriodOfAnEllipse) {
