@@ -83,9 +83,9 @@ std::vector<Reading> Bodies<D>::readings() const {
   std::vector<double> distance;
   for (Index i = 0; i < cloud_.count(); ++i) distance.push_back((at(position_, i) - centre).norm());
   const auto radii = lagrangian_radii(distance, mass_, {0.1, 0.5, 0.9});
-  readings.push_back({"radius_10", radii[0]});
+  readings.push_back({"radius_10_percent", radii[0]});
   readings.push_back({"half_mass_radius", radii[1]});
-  readings.push_back({"radius_90", radii[2]});
+  readings.push_back({"radius_90_percent", radii[2]});
   return readings;
 }
 
