@@ -13,8 +13,10 @@ NOT_OBSERVED = ("time", "step", "kinetic_energy", "potential_energy", "compressi
                 "angular_momentum", "vortices", "impulse_x", "impulse_y",
                 "angular_impulse")  # nor what is conserved
 VORTEX_UNITS = {"hamiltonian": "m⁴/s²", "second_moment": "m²", "separation": "m", "angle": "rad",
-                "rotation_rate": "1/s", "magnitude": "m³/s"}  # of readings that are what their names say
+                "rotation_rate": "1/s", "magnitude": "m³/s",
+                "virial_ratio": "1"}  # of readings that are what their names say
 OUTLIERS = 0.2  # per cent of the particles at each end whose colour may be that of the limit
+STRAGGLERS = 2  # per cent of bodies beyond each end of an axis that are not shown
 SLANT = 0.35  # how far one metre away goes up and to the right in the view of three dimensions
 WIDTH = 7.0  # inches
 
@@ -41,6 +43,12 @@ def fields_of(snapshot):
     return fields
 
 
+def window(snapshot, places):
+    """Corners around the places; bodies in unbounded space may leave it, one by one."""
+    outside = STRAGGLERS if "potential" in snapshot.fields else 0
+    return np.percentile(places, (outside, 100 - outside), axis=0)
+
+
 class Panel:
     """Particles in a plane: which of them, where, and how far away each is."""
 
@@ -48,7 +56,8 @@ class Panel:
         self.chosen, self.places, self.depth = chosen, places[chosen], depth
         self.axes_names, self.radius = axes_names, snapshot.spacing / 2
         self.fluid = snapshot.fluid[chosen]
-        lower, upper = self.places.min(axis=0) - self.radius, self.places.max(axis=0) + self.radius
+        lower, upper = window(snapshot, self.places)
+        lower, upper = lower - self.radius, upper + self.radius
         if "vorticity" in snapshot.fields:  # a few vortices may stand in a line
             lacking = np.maximum(0, (upper - lower).max() / 2 - (upper - lower)) / 2
             lower, upper = lower - lacking, upper + lacking
@@ -81,13 +90,14 @@ def panels_of(snapshot, fields):
         plane = Panel(snapshot, np.full(len(position), True), position, ("x", "y"))
         return [(plane, name, "") for name in fields]
     away = position[:, 1]
-    middle = (away[snapshot.fluid].min() + away[snapshot.fluid].max()) / 2
+    first, last = window(snapshot, away[snapshot.fluid])
+    middle = (first + last) / 2
     near = np.abs(away - middle) < snapshot.spacing
     section = Panel(snapshot, near, position[:, [0, 2]], ("x", "z"), away)
     slanted = position[:, [0, 2]] + SLANT * (away - away.min())[:, np.newaxis]
     view = Panel(snapshot, snapshot.fluid, slanted, ("x, and y aslant", "z, and y aslant"), away)
     return ([(section, name, f"section at y = {middle:.3g}") for name in fields]
-            + [(view, "speed", "the fluid seen from the side")])
+            + [(view, "speed", "all, seen from the side")])
 
 
 def quantity_of(column):
@@ -146,7 +156,7 @@ def arrange(panels, kinds):
 
 def draw_flow(folder, shown, summary):
     """The figure: speed and pressure of the particles, and the history of the run."""
-    snapshot = FlowSnapshot(shown, ("velocity", "pressure", "vorticity"))
+    snapshot = FlowSnapshot(shown, ("velocity", "pressure", "vorticity", "potential"))
     fields = fields_of(snapshot)
     panels = panels_of(snapshot, fields)
     history = read_columns(folder / "history.csv")

@@ -190,8 +190,8 @@ void Simulation::make_flow(const Catalogue& catalogue) {
                                  against, scenario_.model_type));
   const SpaceStart start = setup;
   model_ = scenario_.model->make(std::move(setup));
-  exact_ = std::make_unique<FlowReference>(solution.make_flow({start, model_->parameters()}),
-                                           start.dimension);
+  exact_ = std::make_unique<FlowReference>(
+      solution.make_flow({start, model_->parameters(), model_->cloud()}), start.dimension);
   refuse_early_end();
 }
 

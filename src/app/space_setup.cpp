@@ -95,6 +95,15 @@ void add_terms(const Scenario& scenario, const Catalogue& catalogue, SpaceSetup&
   setup.smoothing_length = found ? rule.smoothing_length : rule.reach() / 2;
 }
 
+void refuse_bodies(const Scenario& scenario) {
+  const auto refuse = [&](const std::string& key, const char* what) {
+    throw InputError(key, fmt::format("the model {} brings its own particles, and knows no {}",
+                                      scenario.model_type, what));
+  };
+  if (!scenario.domain.walls.empty()) refuse("domain.walls", "walls");
+  if (!scenario.regions.empty()) refuse("regions", "regions");
+}
+
 }  // namespace
 
 SpacePlan space_plan(const Scenario& scenario) {
@@ -120,8 +129,10 @@ SpacePlan space_plan(const Scenario& scenario) {
 }
 
 SpaceStart space_start(const Scenario& scenario) {
+  const bool has_own = scenario.model->own_particles().has_value();
+  if (has_own) refuse_bodies(scenario);
   const SpacePlan plan = space_plan(scenario);
-  Filling filling = filled(plan);
+  Filling filling = has_own ? Filling() : filled(plan);
   SpaceStart start{.dimension = plan.dimension,
                    .lower = plan.lower,
                    .upper = plan.upper,
@@ -150,8 +161,10 @@ SpaceSetup space_setup(Scenario& scenario, const Catalogue& catalogue) {
 }
 
 double memory_in_space(const Scenario& scenario) {
-  return scenario.model->bytes_a_particle(scenario.dimension) *
-         most_particles(space_plan(scenario));
+  const ModelRecipe& model = *scenario.model;
+  const auto own = model.own_particles();
+  return model.bytes_a_particle(scenario.dimension) *
+         (own ? *own : most_particles(space_plan(scenario)));
 }
 
 }  // namespace mote

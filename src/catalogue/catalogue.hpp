@@ -58,10 +58,11 @@ struct ExactSetup {
 };
 
 /// What a flow known in closed form is made from: the particles and initial fields that a model in
-/// space started from, and its parameters.
+/// space started from, its parameters, and the particles that it made of them.
 struct FlowSetup {
   const SpaceStart& start;
   Parameters parameters;
+  const Cloud& initial;
 };
 
 /// An exact solution on a line, or a flow in space: one of the two is empty. Both throw InputError

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "mote/catalogue/exact_bodies.hpp"
 #include "mote/catalogue/exact_flows.hpp"
 #include "mote/catalogue/exact_vortices.hpp"
 #include "mote/catalogue/refined.hpp"
@@ -99,6 +100,7 @@ std::vector<ExactEntry> exact_entries() {
                                   {choice_of<Refined>(), fields, refined_from}};
   std::ranges::move(flow_entries(), std::back_inserter(entries));
   std::ranges::move(vortex_entries(), std::back_inserter(entries));
+  std::ranges::move(bodies_entries(), std::back_inserter(entries));
   return entries;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mote/models/bodies_options.hpp"
 #include "mote/models/incompressible_options.hpp"
 #include "mote/models/pressureless_gas.hpp"
 #include "mote/models/vortex_options.hpp"
@@ -9,7 +10,7 @@
 namespace mote {
 
 /// The models of mote. A new one is its pair of files, a scenario and a word here.
-using Models =
-    TypeList<PressurelessGasRecipe, WeaklyCompressibleRecipe, IncompressibleRecipe, VortexRecipe>;
+using Models = TypeList<PressurelessGasRecipe, WeaklyCompressibleRecipe, IncompressibleRecipe,
+                        VortexRecipe, BodiesRecipe>;
 
 }  // namespace mote

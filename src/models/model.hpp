@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -167,6 +168,8 @@ class ModelRecipe {
   virtual std::vector<InitialField> initial_fields(int dimension) const = 0;
   /// The names of what `Model::conserved` will report.
   virtual std::vector<std::string> conserved_names(int dimension) const = 0;
+  /// How many particles the model itself brings in space, in place of those that fill the domain.
+  virtual std::optional<double> own_particles() const { return std::nullopt; }
   /// Memory of a particle with all that belongs to it, about, in space.
   virtual double bytes_a_particle(int /*dimension*/) const { return 600; }
   /// The model on a line, or in space. Throws InputError for options that do not go together with

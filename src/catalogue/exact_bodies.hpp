@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "mote/catalogue/catalogue.hpp"
+
+namespace mote {
+
+/// The motions of bodies known in closed form.
+std::vector<ExactEntry> bodies_entries();
+
+}  // namespace mote

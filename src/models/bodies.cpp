@@ -1,0 +1,156 @@
+#include "mote/models/bodies.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "mote/particles/failure.hpp"
+
+namespace mote {
+namespace {
+
+template <int D>
+Vec<D> vector_of(const std::vector<double>& numbers) {
+  if (numbers.empty()) return Vec<D>::Zero();
+  return Vec<D>::Map(numbers.data());
+}
+
+template <int D>
+MassList<D> all_bodies(const BodiesOptions& options) {
+  MassList<D> bodies;
+  for (const PointMass& body : options.masses)
+    bodies.add(body.mass, vector_of<D>(body.position), vector_of<D>(body.velocity));
+  for (const Cluster& cluster : options.clusters)
+    bodies.append(sampled<D>(cluster, options.gravitational_constant));
+  return bodies;
+}
+
+/// What a scenario calls the body, first the mass given by itself: a key, and words.
+std::pair<std::string, std::string> origin_of(const BodiesOptions& options, std::size_t body) {
+  if (body < options.masses.size())
+    return {fmt::format("model.masses.{}.position", body), fmt::format("mass {}", body + 1)};
+  std::size_t end = options.masses.size(), k = 0;
+  while (body >= (end += static_cast<std::size_t>(options.clusters[k].count))) ++k;
+  return {fmt::format("model.clusters.{}", k), fmt::format("a body of cluster {}", k + 1)};
+}
+
+template <int D>
+void refuse_two_on_one_place(const BodiesOptions& options, const MassList<D>& bodies) {
+  std::vector<std::size_t> order(bodies.count());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto place = [&](std::size_t i) { return std::span(bodies.position).subspan(i * D, D); };
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+    return std::ranges::lexicographical_compare(place(a), place(b));
+  });
+  const auto same = std::ranges::adjacent_find(
+      order, [&](std::size_t a, std::size_t b) { return std::ranges::equal(place(a), place(b)); });
+  if (same == order.end()) return;
+  const auto [key, words] = origin_of(options, *std::next(same));
+  throw InputError(
+      key, fmt::format("{} and {} stand on one place", origin_of(options, *same).second, words));
+}
+
+void refuse_a_box(const SpaceStart& start) {
+  for (std::size_t d = 0; d < start.periodic.size(); ++d)
+    if (start.periodic[d])
+      throw InputError("domain.periodic",
+                       "bodies move in unbounded space, so no axis can be periodic");
+}
+
+}  // namespace
+
+template <int D>
+Bodies<D>::Bodies(const BodiesOptions& options, SpaceSetup setup)
+    : options_(options),
+      start_(std::move(setup)),
+      cloud_(D, 0),
+      gravity_(std::make_unique<OwnGravity<D>>(OwnGravityOptions{
+          options.gravitational_constant, options.sum, options.tolerance, options.core})) {
+  refuse_a_box(start_);
+  start_.bodies = {Body{.name = "bodies"}};
+  cloud_.add("velocity", FieldKind::vector, "m/s");
+  cloud_.add("acceleration", FieldKind::vector, "m/s²");
+  cloud_.add("mass", FieldKind::scalar, "kg");
+  cloud_.add("potential", FieldKind::scalar, "m²/s²");
+  cloud_.add("body", FieldKind::scalar, "");
+  add(options);
+  complete_fields();
+}
+
+template <int D>
+void Bodies<D>::add(const BodiesOptions& options) {
+  const MassList<D> bodies = all_bodies<D>(options);
+  refuse_two_on_one_place(options, bodies);
+  cloud_.resize(static_cast<Index>(bodies.count()));
+  bind();
+  std::ranges::copy(bodies.position, position_.begin());
+  std::ranges::copy(bodies.velocity, velocity_.begin());
+  std::ranges::copy(bodies.mass, mass_.begin());
+  update_dependent_fields();
+}
+
+template <int D>
+void Bodies<D>::bind() {
+  position_ = cloud_.position();
+  velocity_ = cloud_.values("velocity");
+  acceleration_ = cloud_.values("acceleration");
+  mass_ = cloud_.values("mass");
+  potential_ = cloud_.values("potential");
+  drifted_ = {{position_, velocity_}};
+  kicked_ = {{velocity_, acceleration_}};
+}
+
+/// Accelerations follow from places alone, and are not summed twice for the same ones.
+template <int D>
+void Bodies<D>::update_kick_rates(double /*time*/) {
+  if (std::ranges::equal(accelerated_at_, position_)) return;
+  gravity_->accelerate(sources(), acceleration_);
+  accelerated_at_.assign(position_.begin(), position_.end());
+}
+
+template <int D>
+void Bodies<D>::update_dependent_fields() {
+  update_kick_rates(0);
+}
+
+template <int D>
+void Bodies<D>::complete_fields() {
+  gravity_->find_potential(sources(), potential_);
+}
+
+template <int D>
+void Bodies<D>::inspect() const {
+  for (Index i = 0; i < cloud_.count(); ++i)
+    if (!at(position_, i).allFinite() || !at(velocity_, i).allFinite())
+      throw NumericalFailure(
+          fmt::format("body {} has a place or a velocity that is not finite", i), {i},
+          "two point masses came too close for the step; softening spreads them");
+}
+
+template <int D>
+void Bodies<D>::restore(const Cloud& state) {
+  Model::restore(state);
+  accelerated_at_.clear();
+}
+
+/// A part of the time sqrt(l/a) in which a body at the acceleration a goes the length l: that of
+/// the softening, or the distance at which the heaviest body makes it so large.
+template <int D>
+double Bodies<D>::longest_step(double time, double courant) {
+  update_kick_rates(time);
+  const double pull = options_.gravitational_constant * std::ranges::max(mass_);
+  double longest = std::numeric_limits<double>::infinity();
+  for (Index i = 0; i < cloud_.count(); ++i) {
+    const double a = at(acceleration_, i).norm();
+    const double length = std::max(options_.core_size, std::pow(pull / a, 1.0 / (D - 1)));
+    if (a > 0) longest = std::min(longest, courant * std::sqrt(length / a));
+  }
+  return longest;
+}
+
+template class Bodies<2>;
+template class Bodies<3>;
+
+}  // namespace mote

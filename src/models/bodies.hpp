@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "mote/models/bodies_options.hpp"
+#include "mote/models/own_gravity.hpp"
+
+namespace mote {
+
+/// Bodies under their own gravity in unbounded space: dx/dt = v, dv/dt = -G grad phi, with the
+/// potential phi of all others. They are points, or have their mass spread by a core.
+template <int D>
+class Bodies final : public Model {
+ public:
+  /// Throws InputError for a set-up that does not fit, and for two bodies on one place.
+  Bodies(const BodiesOptions& options, SpaceSetup setup);
+
+  Cloud& cloud() override { return cloud_; }
+  const Cloud& cloud() const override { return cloud_; }
+  Frame frame() const override { return Frame::lagrangian; }
+
+  std::span<const Evolving> drifted() override { return drifted_; }
+  std::span<const Evolving> kicked() override { return kicked_; }
+  bool drifts_freely() const override { return true; }
+  void prepare(double /*time*/) override {}
+  void update_drift_rates(double /*time*/) override {}
+  void update_kick_rates(double time) override;
+
+  void update_dependent_fields() override;
+  void complete_fields() override;
+  void inspect() const override;
+  void restore(const Cloud& state) override;
+
+  std::vector<Conserved> conserved() const override;
+  std::vector<Reading> readings() const override;
+  std::vector<StepLimit> step_limits() override { return {}; }
+  double longest_step(double time, double courant) override;
+  PairWork pair_work() const override { return {}; }
+  std::vector<std::string> remarks() const override;
+  std::span<const Body> bodies() const override { return start_.bodies; }
+  double spacing() const override { return start_.spacing; }
+  Parameters parameters() const override;
+
+ private:
+  void add(const BodiesOptions& options);
+  void bind();
+  Sources<D> sources() const { return {position_, mass_, options_.core_size}; }
+  Vec<D> at(std::span<const double> vectors, Index i) const {
+    return Vec<D>::Map(vectors.data() + std::ptrdiff_t{i} * D);
+  }
+  Vec<D> weighted_mean(std::span<const double> vectors) const;
+  double virial_ratio() const;
+
+  BodiesOptions options_;
+  SpaceStart start_;
+  Cloud cloud_;
+  std::unique_ptr<OwnGravity<D>> gravity_;
+  std::span<double> position_, velocity_, acceleration_, mass_, potential_;
+  std::vector<Evolving> drifted_, kicked_;
+  std::vector<double> accelerated_at_;  ///< places that the accelerations are of
+};
+
+extern template class Bodies<2>;
+extern template class Bodies<3>;
+
+}  // namespace mote

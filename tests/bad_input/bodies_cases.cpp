@@ -1,0 +1,89 @@
+// Bodies that cannot be.
+
+#include "bad_input/harness.hpp"
+
+namespace mote::test {
+namespace {
+
+/// A good pair of bodies with some lines, counted from 1, replaced.
+std::string bodies(const std::map<int, std::string>& edits) {
+  static constexpr std::string_view good[] = {
+      /* 1 */ "name: bodies",
+      /* 2 */ "dimension: 3",
+      /* 3 */ "domain: {lower: [-1, -1, -1], upper: [1, 1, 1]}",
+      /* 4 */ "particles: {spacing: 0.1}",
+      /* 5 */ "model:",
+      /* 6 */ "  type: bodies",
+      /* 7 */ "  masses: [{mass: 1, position: [-1, 0, 0]}, {mass: 1, position: [1, 0, 0]}]",
+      /* 8 */ "  clusters: []",
+      /* 9 */ "operator: sph.gauss",
+      /* 10 */ "time: {integrator: velocity_verlet, step: 0.1, end: 0.2}",
+      /* 11 */ "output: {picture: false}",
+      /* 12 */ "check: {against: nothing}"};
+  return with_edits(good, edits);
+}
+
+std::string masses(const std::string& list) { return bodies({{7, "  masses: " + list}}); }
+std::string clusters(const std::string& list) { return bodies({{8, "  clusters: " + list}}); }
+std::string softened(const std::string& section) {
+  return bodies({{8, "  softening: " + section}});
+}
+
+class BodiesThatCannotBe : public BadScenario {};
+TEST_P(BodiesThatCannotBe, IsRefused) { expect_refused(); }
+
+const std::vector<ScenarioCase> cases{
+    {"no_body", bodies({{5, "model: @{type: bodies}"}, {6, ""}, {7, ""}, {8, ""}}),
+     "there is no body: give 'masses' or 'clusters'"},
+    {"mass_of_nothing", masses("[{mass: @0, position: [0, 0, 0]}]"),
+     "'mass' must be greater than 0, and is 0"},
+    {"cluster_of_fewer_than_none", clusters("[{type: uniform_ball, radius: 1, count: @-3}]"),
+     "'count' must be between 1 and 1000000000, and is -3"},
+    {"unknown_cluster", clusters("[{type: @plumer, scale_radius: 1, count: 3}]"),
+     "unknown type 'plumer' (did you mean 'plummer'?)"},
+    {"radius_of_a_plummer_sphere",
+     clusters("[{type: plummer, scale_radius: 1, @radius: 1, count: 3}]"), "unknown key 'radius'"},
+    {"softening_without_size", softened("@{name: gauss}"),
+     "section 'softening' lacks the key 'size'"},
+    {"size_of_points", softened("{name: point, @size: 0.1}"), "unknown key 'size'"},
+    {"unknown_softening", softened("{name: @gaus, size: 0.1}"),
+     "unknown name 'gaus' (did you mean 'gauss'?)"},
+    {"masses_on_one_place",
+     masses("[{mass: 1, position: [0, 1, 0]}, {mass: 1, position: @[0, 1, 0]}]"),
+     "mass 1 and mass 2 stand on one place"},
+    {"clusters_on_one_place",
+     clusters("[{type: uniform_ball, radius: 1, count: 3}, @{type: uniform_ball, radius: 1, count: "
+              "3}]"),
+     "a body of cluster 1 and a body of cluster 2 stand on one place"},
+    {"place_of_two_numbers", masses("[{mass: 1, position: @[0, 1]}]"),
+     "'position' needs 3 numbers, one a dimension, and has 2"},
+    {"velocity_of_two_numbers", masses("[{mass: 1, position: [0, 1, 0], velocity: @[0, 1]}]"),
+     "'velocity' needs 3 numbers, one a dimension, and has 2"},
+    {"centre_of_two_numbers",
+     clusters("[{type: uniform_ball, radius: 1, count: 3, centre: @[0, 1]}]"),
+     "'centre' needs 3 numbers, one a dimension, and has 2"},
+    {"plummer_sphere_in_the_plane",
+     bodies({{2, "dimension: 2"},
+             {3, "domain: {lower: [-1, -1], upper: [1, 1]}"},
+             {7, ""},
+             {8, "  clusters: [{type: @plummer, scale_radius: 1, count: 3}]"}}),
+     "the sphere 'plummer' has 3 dimensions, this scenario has 2"},
+    {"a_box", bodies({{3, "domain: {lower: [-1, -1, -1], upper: [1, 1, 1], periodic: @[x]}"}}),
+     "bodies move in unbounded space, so no axis can be periodic"},
+    {"walls",
+     bodies({{3, "domain: {lower: [-1, -1, -1], upper: [1, 1, 1], walls: @[{side: x_lower}]}"}}),
+     "the model bodies brings its own particles, and knows no walls"},
+    {"another_collapse", bodies({{12, "check: {against: @cold_collapse}"}}),
+     "cold_collapse needs one cluster 'uniform_ball' in 3 dimensions and no other body"}};
+
+INSTANTIATE_TEST_SUITE_P(Table, BodiesThatCannotBe, testing::ValuesIn(cases), by_label);
+
+/// Negative control: the good bodies run.
+TEST(BodiesThatCanBe, Run) {
+  const Outcome outcome = Workspace(bodies({})).mote(running({"--out", "out", "--quiet"}));
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.errors, "");
+}
+
+}  // namespace
+}  // namespace mote::test
