@@ -9,6 +9,7 @@
 #include "mote/sums/multipole_sum.hpp"
 #include "mote/sums/number_columns.hpp"
 #include "mote/sums/pair_loop.hpp"
+#include "mote/sums/sum_settings.hpp"
 
 namespace mote {
 
