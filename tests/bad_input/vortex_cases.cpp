@@ -171,7 +171,7 @@ Outcome outcome_of(const std::string& scenario) {
 TEST(VortexOfSmallCores, IsWarnedOf) {
   const Outcome outcome = outcome_of(model("core: {overlap: 0.5}"));
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_NE(outcome.errors.find(":5:23: warning: cores of 0.5 spacings do not overlap"),
+  EXPECT_NE(outcome.errors.find(":5:29: warning: cores of 0.5 spacings do not overlap"),
             std::string::npos)
       << outcome.errors;
 }
