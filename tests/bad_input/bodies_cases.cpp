@@ -38,7 +38,7 @@ const std::vector<ScenarioCase> cases{
     {"mass_of_nothing", masses("[{mass: @0, position: [0, 0, 0]}]"),
      "'mass' must be greater than 0, and is 0"},
     {"cluster_of_fewer_than_none", clusters("[{type: uniform_ball, radius: 1, count: @-3}]"),
-     "'count' must be between 1 and 1000000000, and is -3"},
+     "'count' must be from 1 to 1000000000, and is -3"},
     {"unknown_cluster", clusters("[{type: @plumer, scale_radius: 1, count: 3}]"),
      "unknown type 'plumer' (did you mean 'plummer'?)"},
     {"radius_of_a_plummer_sphere",
