@@ -40,9 +40,11 @@ struct PlaneStart {
     return *this;
   }
 
-  FlowSetup setup() const { return {start, parameters}; }
+  FlowSetup setup() const { return {start, parameters, initial}; }
 
  private:
+  Cloud initial{2, 0};  ///< for solutions that follow single points, which none of these does
+
   void add(double x, double y, std::int32_t body) {
     start.position.insert(start.position.end(), {x, y});
     start.body.push_back(body);
