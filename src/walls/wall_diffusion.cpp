@@ -1,0 +1,94 @@
+#include "mote/walls/wall_diffusion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mote {
+
+/// Of every node of a box: one over its area, and its links.
+struct WallDiffusion::Coefficients {
+  NodeBox box;
+  std::vector<double> per_area, right, above;
+  std::vector<CellLink> links;
+
+  void advance(double factor, std::vector<double>& circulation, std::vector<double>& omega) const;
+};
+
+WallDiffusion::Coefficients WallDiffusion::coefficients(const NodeBox& box) const {
+  Coefficients result{.box = box};
+  const NodeBox& cut = lattice_->box();
+  result.per_area.assign(box.count(), 1 / (lattice_->spacing() * lattice_->spacing()));
+  result.right.assign(box.count(), 1);
+  result.above.assign(box.count(), 1);
+  const auto place = [&](std::size_t cell) { return box.place(cut.i(cell), cut.j(cell)); };
+  for (std::size_t cell = 0; cell < cut.count(); ++cell) {
+    const double area = lattice_->area(cell);
+    result.per_area[place(cell)] = lattice_->owner(cell) == cell ? 1 / area : 0;
+    result.right[place(cell)] = lattice_->open_right(cell);
+    result.above[place(cell)] = lattice_->open_above(cell);
+  }
+  for (const CellLink& link : lattice_->links())
+    result.links.push_back({place(link.a), place(link.b), link.conductance});
+  return result;
+}
+
+/// One explicit step; `factor` is viscosity times time. Nothing passes the rim of the box.
+void WallDiffusion::Coefficients::advance(double factor, std::vector<double>& circulation,
+                                          std::vector<double>& omega) const {
+  const std::size_t columns = box.columns;
+  for (std::size_t k = 0; k < omega.size(); ++k) omega[k] = factor * circulation[k] * per_area[k];
+#pragma omp parallel for schedule(static)
+  for (int row = 0; row < box.rows; ++row) {
+    const std::size_t first = row * columns;
+    for (std::size_t k = first; k < first + columns; ++k) {
+      const double from_right = k + 1 < first + columns ? right[k] * (omega[k + 1] - omega[k]) : 0;
+      const double to_left = k > first ? right[k - 1] * (omega[k] - omega[k - 1]) : 0;
+      const double from_above =
+          row + 1 < box.rows ? above[k] * (omega[k + columns] - omega[k]) : 0;
+      const double to_below = row > 0 ? above[k - columns] * (omega[k] - omega[k - columns]) : 0;
+      circulation[k] += (from_right - to_left) + (from_above - to_below);
+    }
+  }
+  for (const auto& [a, b, conductance] : links) {
+    const double passed = conductance * (omega[b] - omega[a]);
+    circulation[a] += passed;
+    circulation[b] -= passed;
+  }
+}
+
+/// nu dt/h^2 = 1/6 cancels the leading errors in time and space against each other along an axis,
+/// and is stable for the smallest cells: their area is no less than 3/4 h^2 at a straight wall.
+int WallDiffusion::steps(double time) const {
+  const double spacing = lattice_->spacing();
+  return std::max(1, static_cast<int>(std::ceil(6 * viscosity_ * time / (spacing * spacing))));
+}
+
+void WallDiffusion::diffuse(double time, LatticeVorticity& vorticity) const {
+  const Coefficients links = coefficients(vorticity.box);
+  std::vector<double> omega(vorticity.circulation.size());
+  const int count = steps(time);
+  for (int n = 0; n < count; ++n)
+    links.advance(viscosity_ * time / count, vorticity.circulation, omega);
+}
+
+void WallDiffusion::add_sheet(std::span<const double> circulation, double time, Release release,
+                              LatticeVorticity& vorticity) const {
+  const NodeBox& box = lattice_->box();
+  const Coefficients links = coefficients(box);
+  std::vector<double> added(box.count()), omega(box.count());
+  const auto give_off = [&](double part) {
+    for (const auto& [cell, panel, fraction] : lattice_->shares())
+      added[cell] += part * fraction * circulation[panel];
+  };
+  const int count = steps(time);
+  if (release == Release::at_start) give_off(1);
+  for (int n = 0; n < count; ++n) {
+    if (release == Release::evenly) give_off(0.5 / count);
+    links.advance(viscosity_ * time / count, added, omega);
+    if (release == Release::evenly) give_off(0.5 / count);
+  }
+  for (std::size_t cell = 0; cell < box.count(); ++cell)
+    vorticity.circulation[vorticity.box.place(box.i(cell), box.j(cell))] += added[cell];
+}
+
+}  // namespace mote
