@@ -47,7 +47,9 @@ Cover cover_of(std::span<const Panel> polygon, Complex middle, double side) {
   Cover cover;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Complex a = corners[k] - middle, b = corners[(k + 1) % corners.size()] - middle;
-    cover.area += (std::conj(a) * b).imag() / 2;
+    const double triangle = (std::conj(a) * b).imag() / 2;
+    cover.area += triangle;
+    cover.moment += triangle * (a + b) / 3.0;
     if (corners[k].real() == right && corners[(k + 1) % corners.size()].real() == right)
       cover.right += b.imag() - a.imag();
     if (corners[k].imag() == above && corners[(k + 1) % corners.size()].imag() == above)

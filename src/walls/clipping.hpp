@@ -10,6 +10,7 @@ namespace mote {
 /// What a body covers of a square cell.
 struct Cover {
   double area = 0;
+  Complex moment{};             ///< integral of the place less the middle of the cell over the area
   double right = 0, above = 0;  ///< lengths of the right and the upper side
 };
 

@@ -79,7 +79,8 @@ void CutLattice::lay_out(const PanelBodies& bodies) {
     box_ = box_.joined({i, j, 2 * margin + 1, 2 * margin + 1});
   }
   area_.assign(box_.count(), spacing_ * spacing_);
-  is_inside_.assign(box_.count(), false);
+  for (std::size_t cell = 0; cell < box_.count(); ++cell)
+    place_.push_back(node(box_.i(cell), box_.j(cell)));
   open_right_.assign(box_.count(), whole);
   open_above_.assign(box_.count(), whole);
   for (int j = box_.first_j; j < box_.first_j + box_.rows; ++j) {
@@ -89,7 +90,6 @@ void CutLattice::lay_out(const PanelBodies& bodies) {
           to_the_left % 2 == 1) {
         const std::size_t cell = box_.place(i, j);
         area_[cell] = open_right_[cell] = open_above_[cell] = 0;
-        is_inside_[cell] = true;
       }
   }
 }
@@ -103,33 +103,46 @@ void CutLattice::cut_cells(const PanelBodies& bodies) {
   for (const std::size_t cell : cut) {
     Cover sum;
     for (std::size_t body = 0; body < bodies.body_count(); ++body) {
-      const Cover cover = cover_of(bodies.panels(body), place(box_.i(cell), box_.j(cell)), spacing_);
+      const Cover cover = cover_of(bodies.panels(body), place_[cell], spacing_);
       sum.area += cover.area, sum.right += cover.right, sum.above += cover.above;
+      sum.moment += cover.moment;
     }
     area_[cell] = std::max(0.0, spacing_ * spacing_ - sum.area);
+    if (area_[cell] > 0 && sum.area > 0) place_[cell] -= sum.moment / area_[cell];
     open_right_[cell] = std::max(0.0, whole - sum.right / spacing_);
     open_above_[cell] = std::max(0.0, whole - sum.above / spacing_);
   }
 }
 
+bool CutLattice::is_outside(const PanelBodies& bodies, Complex place) const {
+  const std::vector<double> x = crossings(bodies.panels(), place.imag());
+  const auto to_the_left = std::ranges::lower_bound(x, place.real()) - x.begin();
+  return to_the_left % 2 == 0 && distance(bodies.panels(), place) >= least_distance * spacing_;
+}
+
+/// The centroid moves along, unless that would bring it into a body.
+void CutLattice::take_over(const PanelBodies& bodies, std::size_t owner, std::size_t cell) {
+  const double sum = area_[owner] + area_[cell];
+  const Complex centroid = (area_[owner] * place_[owner] + area_[cell] * place_[cell]) / sum;
+  if (is_outside(bodies, centroid)) place_[owner] = centroid;
+  area_[owner] = sum;
+  area_[cell] = 0;
+}
+
 void CutLattice::choose_owners(const PanelBodies& bodies) {
   constexpr double rounding = 1e-9;
-  owner_.resize(box_.count());
-  for (std::size_t cell = 0; cell < box_.count(); ++cell) {
-    const bool is_cut = area_[cell] < (1 - rounding) * spacing_ * spacing_;
-    const auto is_near = [&] {
-      return distance(bodies.panels(), place(box_.i(cell), box_.j(cell))) <
-             least_distance * spacing_;
-    };
-    owner_[cell] = is_inside_[cell] || (is_cut && is_near()) ? nobody : cell;
-  }
+  const double square = spacing_ * spacing_;
+  owner_.assign(box_.count(), nobody);
+  for (std::size_t cell = 0; cell < box_.count(); ++cell)
+    if (area_[cell] > (1 - rounding) * square ||
+        (area_[cell] > (least_area - rounding) * square && is_outside(bodies, place_[cell])))
+      owner_[cell] = cell;
   std::vector<std::size_t> owner = owner_;
   for (std::size_t cell = 0; cell < box_.count(); ++cell)
-    if (owner_[cell] == nobody && area_[cell] > rounding * spacing_ * spacing_)
+    if (owner_[cell] == nobody && area_[cell] > rounding * square)
       owner[cell] = nearest_carrier(cell);
   for (std::size_t cell = 0; cell < box_.count(); ++cell)
-    if (owner[cell] != cell && owner[cell] != nobody)
-      area_[owner[cell]] += std::exchange(area_[cell], 0);
+    if (owner[cell] != cell && owner[cell] != nobody) take_over(bodies, owner[cell], cell);
   owner_ = owner;
 }
 
@@ -166,13 +179,11 @@ void CutLattice::connect(std::size_t a, int di, int dj, double open) {
   }
   const std::size_t b = box_.place(i, j), from = owner_[a], to = owner_[b];
   if (from == to || from == nobody || to == nobody || open <= 0) return;
+  const double distance = std::abs(place_[from] - place_[to]);
   if (from == a && to == b)
-    faces[a] = open;
+    faces[a] = open * spacing_ / distance;
   else
-    links_.push_back({from, to,
-                      open * spacing_ /
-                          std::abs(place(box_.i(from), box_.j(from)) -
-                                   place(box_.i(to), box_.j(to)))});
+    links_.push_back({from, to, open * spacing_ / distance});
 }
 
 void CutLattice::share_panels(const PanelBodies& bodies) {
@@ -184,12 +195,14 @@ void CutLattice::share_panels(const PanelBodies& bodies) {
     const std::size_t first = shares_.size();
     double sum = 0;
     visit_cells_along(panel, spacing_, [&](int i, int j) {
-      const Piece piece = piece_inside(panel, place(i, j), spacing_);
+      const Piece piece = piece_inside(panel, node(i, j), spacing_);
       if (piece.from >= piece.to) return;
       const std::size_t cell = box_.place(i, j);
       const std::size_t owner = owner_[cell] == nobody ? nearest_carrier(cell) : owner_[cell];
       if (owner == nobody) return;
-      shares_.push_back({owner, k, piece.to - piece.from});
+      const Complex offset = place_[owner] - panel.from;
+      const double away = std::abs((std::conj(panel.normal()) * offset).real());
+      shares_.push_back({owner, k, piece.to - piece.from, away});
       sum += piece.to - piece.from;
     });
     for (std::size_t n = first; n < shares_.size(); ++n) shares_[n].fraction /= sum;

@@ -36,24 +36,35 @@ struct CellLink {
 struct PanelShare {
   std::size_t cell, panel;
   double fraction;
+  double distance;  ///< of the cell's particle from the panel's line
 };
 
-/// A square lattice that bodies are cut out of, cell by cell with exact areas. A node carries a
-/// particle if it is outside all bodies and at least `least_distance` spacings from their surface;
-/// what is left of the other cut cells belongs to a neighbour that does.
+/// A square lattice that bodies are cut out of, cell by cell with exact areas. A cell carries a
+/// particle unless less than `least_area` of it is open; what is left of the others belongs to a
+/// neighbour that does. The particle of a cut cell stands at the centroid of what the cell holds.
+/// Bodies and the gaps between them should be at least three spacings wide.
 class CutLattice {
  public:
   CutLattice(const PanelBodies& bodies, double spacing);
 
-  static constexpr double least_distance = 0.25;
+  static constexpr double least_area = 0.5;       ///< over the area of a whole cell
+  static constexpr double least_distance = 0.2;   ///< of particles from a surface, in spacings
   static constexpr std::size_t nobody = static_cast<std::size_t>(-1);
 
   double spacing() const { return spacing_; }
-  Complex place(int i, int j) const { return {i * spacing_, j * spacing_}; }
+  Complex node(int i, int j) const { return {i * spacing_, j * spacing_}; }
+  /// Where the particle of a cell stands.
+  Complex place(int i, int j) const {
+    return box_.holds(i, j) ? place_[box_.place(i, j)] : node(i, j);
+  }
   /// What lies around the bodies; all cells beyond are whole.
   const NodeBox& box() const { return box_; }
   bool carries(int i, int j) const {
     return !box_.holds(i, j) || owner_[box_.place(i, j)] == box_.place(i, j);
+  }
+  /// Whether the cell is whole and its particle stands at its node.
+  bool is_whole(int i, int j) const {
+    return carries(i, j) && (!box_.holds(i, j) || place_[box_.place(i, j)] == node(i, j));
   }
   /// The node that carries what is in a cell, by places in the box, or `nobody`.
   std::size_t owner(std::size_t cell) const { return owner_[cell]; }
@@ -72,6 +83,8 @@ class CutLattice {
   void lay_out(const PanelBodies& bodies);
   void cut_cells(const PanelBodies& bodies);
   void choose_owners(const PanelBodies& bodies);
+  bool is_outside(const PanelBodies& bodies, Complex place) const;
+  void take_over(const PanelBodies& bodies, std::size_t owner, std::size_t cell);
   void connect(std::size_t a, int di, int dj, double open);
   void share_panels(const PanelBodies& bodies);
   std::size_t nearest_carrier(std::size_t cell) const;
@@ -79,7 +92,7 @@ class CutLattice {
   double spacing_;
   NodeBox box_;
   std::vector<double> area_, open_right_, open_above_;
-  std::vector<char> is_inside_;  ///< whether the node is inside a body
+  std::vector<Complex> place_;
   std::vector<std::size_t> owner_;
   std::vector<CellLink> links_;
   std::vector<PanelShare> shares_;

@@ -76,16 +76,21 @@ void WallDiffusion::add_sheet(std::span<const double> circulation, double time, 
   const NodeBox& box = lattice_->box();
   const Coefficients links = coefficients(box);
   std::vector<double> added(box.count()), omega(box.count());
-  const auto give_off = [&](double part) {
-    for (const auto& [cell, panel, fraction] : lattice_->shares())
-      added[cell] += part * fraction * circulation[panel];
-  };
   const int count = steps(time);
-  if (release == Release::at_start) give_off(1);
-  for (int n = 0; n < count; ++n) {
-    if (release == Release::evenly) give_off(0.5 / count);
+  const auto give_off = [&](int step) {
+    for (const auto& [cell, panel, fraction, distance] : lattice_->shares()) {
+      const double delay = distance * distance / (2 * viscosity_);
+      const int start = std::min<int>(count, std::lround(delay / time * count));
+      const double part = release == Release::evenly
+                              ? (step == 0 || step == count ? 0.5 : 1.0) / count
+                              : (step == start ? 1.0 : 0.0);
+      added[cell] += part * fraction * circulation[panel];
+    }
+  };
+  give_off(0);
+  for (int n = 1; n <= count; ++n) {
     links.advance(viscosity_ * time / count, added, omega);
-    if (release == Release::evenly) give_off(0.5 / count);
+    give_off(n);
   }
   for (std::size_t cell = 0; cell < box.count(); ++cell)
     vorticity.circulation[vorticity.box.place(box.i(cell), box.j(cell))] += added[cell];

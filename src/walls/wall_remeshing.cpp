@@ -65,7 +65,7 @@ class Remeshing {
   bool is_open(int i, int j) const {
     for (int dj = -1; dj <= 2; ++dj)
       for (int di = -1; di <= 2; ++di)
-        if (!lattice_.carries(i + di, j + dj)) return false;
+        if (!lattice_.is_whole(i + di, j + dj)) return false;
     return true;
   }
 
@@ -83,7 +83,7 @@ class Remeshing {
     const int j = static_cast<int>(std::lround(at.imag()));
     for (int dj = -reach_beside_walls; dj <= reach_beside_walls; ++dj)
       for (int di = -reach_beside_walls; di <= reach_beside_walls; ++di)
-        if (const Complex offset = Complex(i + di, j + dj) - at;
+        if (const Complex offset = lattice_.place(i + di, j + dj) / lattice_.spacing() - at;
             std::abs(offset) < radius_beside_walls && lattice_.carries(i + di, j + dj))
           nodes.push_back({i + di, j + dj, offset});
     return nodes;
@@ -126,12 +126,12 @@ LatticeVorticity remeshed(const Vortices& particles, const CutLattice& lattice) 
   return result;
 }
 
-RemeshedParticles particles_of(const LatticeVorticity& vorticity, double spacing, double least,
-                               LostVorticity& lost) {
+RemeshedParticles particles_of(const LatticeVorticity& vorticity, const CutLattice& lattice,
+                               double least, LostVorticity& lost) {
   RemeshedParticles result;
   for (std::size_t k = 0; k < vorticity.circulation.size(); ++k) {
     const double circulation = vorticity.circulation[k];
-    const Complex place = spacing * Complex(vorticity.box.i(k), vorticity.box.j(k));
+    const Complex place = lattice.place(vorticity.box.i(k), vorticity.box.j(k));
     if (std::abs(circulation) > least) {
       result.place.push_back(place);
       result.circulation.push_back(circulation);

@@ -19,7 +19,7 @@ struct RemeshedParticles {
   std::vector<Complex> place;
   std::vector<double> circulation;
 };
-RemeshedParticles particles_of(const LatticeVorticity& vorticity, double spacing, double least,
-                               LostVorticity& lost);
+RemeshedParticles particles_of(const LatticeVorticity& vorticity, const CutLattice& lattice,
+                               double least, LostVorticity& lost);
 
 }  // namespace mote
