@@ -42,15 +42,10 @@ Eigen::MatrixXd PanelBodies::equations() const {
 
 std::vector<double> PanelBodies::circulation_along_panels(Complex stream,
                                                           const Vortices& vortices) const {
-  std::vector<double> result(panels_.size());
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < panels_.size(); ++i) {
-    const Panel& panel = panels_[i];
-    double sum = (std::conj(stream) * (panel.to - panel.from)).real();
-    for (std::size_t j = 0; j < vortices.place.size(); ++j)
-      sum += vortices.circulation[j] * circulation_of_vortex(panel, vortices.place[j]);
-    result[i] = sum;
-  }
+  std::vector<double> result;
+  for (const Panel& panel : panels_)
+    result.push_back((std::conj(stream) * (panel.to - panel.from)).real());
+  add_circulations(panels_, vortices, result);
   return result;
 }
 
@@ -65,13 +60,7 @@ std::vector<double> PanelBodies::sheet(std::span<const double> along_panels,
 
 void PanelBodies::add_velocity(std::span<const double> sheet, std::span<const Complex> places,
                                std::span<Complex> velocity) const {
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    Complex sum{};
-    for (std::size_t k = 0; k < panels_.size(); ++k)
-      sum += sheet[k] * velocity_of_sheet(panels_[k], places[i]);
-    velocity[i] += sum;
-  }
+  add_sheet_velocities(panels_, sheet, places, velocity);
 }
 
 double PanelBodies::circulation(std::span<const double> sheet, std::size_t body) const {

@@ -5,14 +5,9 @@
 #include <vector>
 
 #include "mote/walls/outline.hpp"
+#include "mote/walls/panel_sums.hpp"
 
 namespace mote {
-
-/// Point vortices in the plane.
-struct Vortices {
-  std::span<const Complex> place;
-  std::span<const double> circulation;
-};
 
 /// Bodies that stand still in a flow, and the vortex sheets on their surfaces that keep the velocity
 /// inside them at zero: the surface integral of Isshiki (2014), (38), with eps = 0 inside. As the
