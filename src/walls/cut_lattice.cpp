@@ -37,14 +37,15 @@ std::vector<double> crossings(std::span<const Panel> panels, double y) {
 
 /// Calls `visit` with every cell that a panel may touch.
 template <class Visit>
-void visit_cells_along(const Panel& panel, double spacing, Visit visit) {
+void visit_cells_along(const Panel& panel, const CutLattice& lattice, Visit visit) {
+  const Complex from = lattice.in_spacings(panel.from), to = lattice.in_spacings(panel.to);
   const auto range = [&](double a, double b) {
     const auto [low, high] = std::minmax(a, b);
-    return std::pair(static_cast<int>(std::floor(low / spacing + 0.5 - 1e-9)),
-                     static_cast<int>(std::floor(high / spacing + 0.5 + 1e-9)));
+    return std::pair(static_cast<int>(std::floor(low + 0.5 - 1e-9)),
+                     static_cast<int>(std::floor(high + 0.5 + 1e-9)));
   };
-  const auto [left, right] = range(panel.from.real(), panel.to.real());
-  const auto [bottom, top] = range(panel.from.imag(), panel.to.imag());
+  const auto [left, right] = range(from.real(), to.real());
+  const auto [bottom, top] = range(from.imag(), to.imag());
   for (int j = bottom; j <= top; ++j)
     for (int i = left; i <= right; ++i) visit(i, j);
 }
@@ -60,7 +61,8 @@ NodeBox NodeBox::joined(const NodeBox& other) const {
   return both;
 }
 
-CutLattice::CutLattice(const PanelBodies& bodies, double spacing) : spacing_(spacing) {
+CutLattice::CutLattice(const PanelBodies& bodies, double spacing, Complex origin)
+    : spacing_(spacing), origin_(origin) {
   lay_out(bodies);
   cut_cells(bodies);
   choose_owners(bodies);
@@ -74,9 +76,10 @@ CutLattice::CutLattice(const PanelBodies& bodies, double spacing) : spacing_(spa
 /// The box, with every cell whole or, if its node is inside a body, solid.
 void CutLattice::lay_out(const PanelBodies& bodies) {
   for (const Panel& panel : bodies.panels()) {
-    const int i = static_cast<int>(std::floor(panel.from.real() / spacing_)) - margin;
-    const int j = static_cast<int>(std::floor(panel.from.imag() / spacing_)) - margin;
-    box_ = box_.joined({i, j, 2 * margin + 1, 2 * margin + 1});
+    const Complex end = in_spacings(panel.from);
+    box_ = box_.joined({static_cast<int>(std::floor(end.real())) - margin,
+                        static_cast<int>(std::floor(end.imag())) - margin, 2 * margin + 2,
+                        2 * margin + 2});
   }
   area_.assign(box_.count(), spacing_ * spacing_);
   for (std::size_t cell = 0; cell < box_.count(); ++cell)
@@ -84,9 +87,9 @@ void CutLattice::lay_out(const PanelBodies& bodies) {
   open_right_.assign(box_.count(), whole);
   open_above_.assign(box_.count(), whole);
   for (int j = box_.first_j; j < box_.first_j + box_.rows; ++j) {
-    const std::vector<double> x = crossings(bodies.panels(), j * spacing_);
+    const std::vector<double> x = crossings(bodies.panels(), node(0, j).imag());
     for (int i = box_.first_i; i < box_.first_i + box_.columns; ++i)
-      if (const auto to_the_left = std::ranges::lower_bound(x, i * spacing_) - x.begin();
+      if (const auto to_the_left = std::ranges::lower_bound(x, node(i, j).real()) - x.begin();
           to_the_left % 2 == 1) {
         const std::size_t cell = box_.place(i, j);
         area_[cell] = open_right_[cell] = open_above_[cell] = 0;
@@ -97,7 +100,7 @@ void CutLattice::lay_out(const PanelBodies& bodies) {
 void CutLattice::cut_cells(const PanelBodies& bodies) {
   std::vector<std::size_t> cut;
   for (const Panel& panel : bodies.panels())
-    visit_cells_along(panel, spacing_, [&](int i, int j) { cut.push_back(box_.place(i, j)); });
+    visit_cells_along(panel, *this, [&](int i, int j) { cut.push_back(box_.place(i, j)); });
   std::ranges::sort(cut);
   cut.erase(std::ranges::unique(cut).begin(), cut.end());
   for (const std::size_t cell : cut) {
@@ -194,7 +197,7 @@ void CutLattice::share_panels(const PanelBodies& bodies) {
     panel = {panel.from + shift, panel.to + shift};
     const std::size_t first = shares_.size();
     double sum = 0;
-    visit_cells_along(panel, spacing_, [&](int i, int j) {
+    visit_cells_along(panel, *this, [&](int i, int j) {
       const Piece piece = piece_inside(panel, node(i, j), spacing_);
       if (piece.from >= piece.to) return;
       const std::size_t cell = box_.place(i, j);

@@ -8,8 +8,7 @@
 
 namespace mote {
 
-/// A rectangle of lattice nodes, row by row; node (i, j) stands at (i, j) times the spacing, in the
-/// middle of its cell.
+/// A rectangle of lattice nodes, row by row.
 struct NodeBox {
   int first_i = 0, first_j = 0, columns = 0, rows = 0;
 
@@ -45,14 +44,17 @@ struct PanelShare {
 /// Bodies and the gaps between them should be at least three spacings wide.
 class CutLattice {
  public:
-  CutLattice(const PanelBodies& bodies, double spacing);
+  /// Node (0, 0) stands at `origin`, in the middle of its cell.
+  CutLattice(const PanelBodies& bodies, double spacing, Complex origin = 0);
 
   static constexpr double least_area = 0.5;       ///< over the area of a whole cell
   static constexpr double least_distance = 0.2;   ///< of particles from a surface, in spacings
   static constexpr std::size_t nobody = static_cast<std::size_t>(-1);
 
   double spacing() const { return spacing_; }
-  Complex node(int i, int j) const { return {i * spacing_, j * spacing_}; }
+  Complex node(int i, int j) const { return origin_ + spacing_ * Complex(i, j); }
+  /// A place in numbers of nodes.
+  Complex in_spacings(Complex place) const { return (place - origin_) / spacing_; }
   /// Where the particle of a cell stands.
   Complex place(int i, int j) const {
     return box_.holds(i, j) ? place_[box_.place(i, j)] : node(i, j);
@@ -90,6 +92,7 @@ class CutLattice {
   std::size_t nearest_carrier(std::size_t cell) const;
 
   double spacing_;
+  Complex origin_;
   NodeBox box_;
   std::vector<double> area_, open_right_, open_above_;
   std::vector<Complex> place_;

@@ -12,10 +12,15 @@ struct LatticeVorticity {
   std::vector<double> circulation;
 };
 
+/// Linear impulse, over the density, of a vortex: circulation times (y, -x).
+inline Complex impulse_of(double circulation, Complex place) {
+  return circulation * Complex(place.imag(), -place.real());
+}
+
 /// What particles that are left out take with them.
 struct LostVorticity {
   double circulation = 0;
-  Complex impulse{};  ///< sum of circulation times (y, -x)
+  Complex impulse{};
 };
 
 }  // namespace mote

@@ -53,7 +53,7 @@ class Remeshing {
       : lattice_(lattice), result_(result) {}
 
   void add(Complex place, double circulation) {
-    const Complex at = place / lattice_.spacing();
+    const Complex at = lattice_.in_spacings(place);
     const int i = static_cast<int>(std::floor(at.real())), j = static_cast<int>(std::floor(at.imag()));
     if (is_open(i, j))
       add_by_kernel(i, j, at, circulation);
@@ -83,7 +83,7 @@ class Remeshing {
     const int j = static_cast<int>(std::lround(at.imag()));
     for (int dj = -reach_beside_walls; dj <= reach_beside_walls; ++dj)
       for (int di = -reach_beside_walls; di <= reach_beside_walls; ++di)
-        if (const Complex offset = lattice_.place(i + di, j + dj) / lattice_.spacing() - at;
+        if (const Complex offset = lattice_.in_spacings(lattice_.place(i + di, j + dj)) - at;
             std::abs(offset) < radius_beside_walls && lattice_.carries(i + di, j + dj))
           nodes.push_back({i + di, j + dj, offset});
     return nodes;
@@ -108,7 +108,7 @@ NodeBox box_around(const Vortices& particles, const CutLattice& lattice) {
   constexpr int margin = 6;
   NodeBox box = lattice.box();
   for (const Complex place : particles.place) {
-    const Complex at = place / lattice.spacing();
+    const Complex at = lattice.in_spacings(place);
     box = box.joined({static_cast<int>(std::floor(at.real())) - margin,
                       static_cast<int>(std::floor(at.imag())) - margin, 2 * margin, 2 * margin});
   }
@@ -126,20 +126,25 @@ LatticeVorticity remeshed(const Vortices& particles, const CutLattice& lattice) 
   return result;
 }
 
-RemeshedParticles particles_of(const LatticeVorticity& vorticity, const CutLattice& lattice,
-                               double least, LostVorticity& lost) {
-  RemeshedParticles result;
+LostVorticity drop_weak(const CutLattice& lattice, double least, LatticeVorticity& vorticity) {
+  LostVorticity lost;
   for (std::size_t k = 0; k < vorticity.circulation.size(); ++k) {
-    const double circulation = vorticity.circulation[k];
-    const Complex place = lattice.place(vorticity.box.i(k), vorticity.box.j(k));
-    if (std::abs(circulation) > least) {
-      result.place.push_back(place);
-      result.circulation.push_back(circulation);
-    } else if (circulation != 0) {
-      lost.circulation += circulation;
-      lost.impulse += Complex(0, -1) * circulation * place;
-    }
+    double& circulation = vorticity.circulation[k];
+    if (circulation == 0 || std::abs(circulation) > least) continue;
+    lost.circulation += circulation;
+    lost.impulse += impulse_of(circulation, lattice.place(vorticity.box.i(k), vorticity.box.j(k)));
+    circulation = 0;
   }
+  return lost;
+}
+
+LatticeParticles particles_of(const LatticeVorticity& vorticity, const CutLattice& lattice) {
+  LatticeParticles result;
+  for (std::size_t k = 0; k < vorticity.circulation.size(); ++k)
+    if (vorticity.circulation[k] != 0) {
+      result.place.push_back(lattice.place(vorticity.box.i(k), vorticity.box.j(k)));
+      result.circulation.push_back(vorticity.circulation[k]);
+    }
   return result;
 }
 

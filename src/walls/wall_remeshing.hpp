@@ -13,13 +13,16 @@ namespace mote {
 /// the same moments, or only the first where they would be taken from too far.
 LatticeVorticity remeshed(const Vortices& particles, const CutLattice& lattice);
 
-/// The particles of a lattice whose circulation is above `least` in size; what the others have is
-/// added to `lost`.
-struct RemeshedParticles {
+/// Empties the nodes whose circulation is no larger than `least` in size, and says what they had.
+LostVorticity drop_weak(const CutLattice& lattice, double least, LatticeVorticity& vorticity);
+
+/// The particles of a lattice, in the order of its nodes; empty nodes have none.
+struct LatticeParticles {
   std::vector<Complex> place;
   std::vector<double> circulation;
+
+  Vortices vortices() const { return {place, circulation}; }
 };
-RemeshedParticles particles_of(const LatticeVorticity& vorticity, const CutLattice& lattice,
-                               double least, LostVorticity& lost);
+LatticeParticles particles_of(const LatticeVorticity& vorticity, const CutLattice& lattice);
 
 }  // namespace mote
