@@ -149,8 +149,8 @@ void CutLattice::choose_owners(const PanelBodies& bodies) {
   owner_ = owner;
 }
 
-/// The neighbour with the longest common face, else the nearest of those around it. In a fixed order
-/// that does not tell above from below by rounding.
+/// The neighbour with the longest common face, else the nearest of those around it. In a fixed
+/// order that does not tell above from below by rounding.
 std::size_t CutLattice::nearest_carrier(std::size_t cell) const {
   const int i = box_.i(cell), j = box_.j(cell);
   const std::size_t left = box_.place(i - 1, j), below = box_.place(i, j - 1);

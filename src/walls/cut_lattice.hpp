@@ -47,8 +47,8 @@ class CutLattice {
   /// Node (0, 0) stands at `origin`, in the middle of its cell.
   CutLattice(const PanelBodies& bodies, double spacing, Complex origin = 0);
 
-  static constexpr double least_area = 0.5;       ///< over the area of a whole cell
-  static constexpr double least_distance = 0.2;   ///< of particles from a surface, in spacings
+  static constexpr double least_area = 0.5;      ///< over the area of a whole cell
+  static constexpr double least_distance = 0.2;  ///< of particles from a surface, in spacings
   static constexpr std::size_t nobody = static_cast<std::size_t>(-1);
 
   double spacing() const { return spacing_; }

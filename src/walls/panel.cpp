@@ -25,8 +25,7 @@ Complex sight_of(const Panel& panel, Complex place) {
   const Complex offset = place - panel.middle(), half = 0.5 * (panel.to - panel.from);
   if (std::norm(half) < reach_of_sight_series * std::norm(offset))
     return series(half * std::conj(offset) / std::norm(offset));
-  return std::log((place - panel.from) * std::conj(place - panel.to) /
-                  std::norm(place - panel.to));
+  return std::log((place - panel.from) * std::conj(place - panel.to) / std::norm(place - panel.to));
 }
 
 Complex velocity_of_sheet(const Panel& panel, Complex place) {

@@ -7,7 +7,8 @@ namespace mote {
 /// A place or a vector in the plane, x + iy.
 using Complex = std::complex<double>;
 
-/// A straight piece of a body's surface. Bodies run counter-clockwise, so the fluid is to the right.
+/// A straight piece of a body's surface. Bodies run counter-clockwise, so the fluid is to the
+/// right.
 struct Panel {
   Complex from, to;
 
@@ -25,8 +26,8 @@ inline constexpr double reach_of_sight_series = 0.1 * 0.1;
 Complex sight_of(const Panel& panel, Complex place);
 
 /// Velocity u + iv at a place due to a sheet of unit strength (counter-clockwise circulation per
-/// length) on the panel: u - iv = ln((z - from)/(z - to))/(2 pi i t) with the tangent t, the surface
-/// integral of Isshiki (2014), (38) with (39c) on a straight piece.
+/// length) on the panel: u - iv = ln((z - from)/(z - to))/(2 pi i t) with the tangent t, the
+/// surface integral of Isshiki (2014), (38) with (39c) on a straight piece.
 Complex velocity_of_sheet(const Panel& panel, Complex place);
 
 /// Integral of the velocity along `on` due to a vortex of unit circulation at a place: the angle

@@ -13,9 +13,10 @@ PanelBodies::PanelBodies(std::span<const Outline> bodies, double panel_length) :
     first_panel_.push_back(panels_.size());
   }
   if (panels_.size() > most_panels)
-    throw InputError(fmt::format("the bodies have {} panels; a dense matrix is for at most {}: "
-                                 "make the panels longer",
-                                 panels_.size(), most_panels));
+    throw InputError(
+        fmt::format("the bodies have {} panels; a dense matrix is for at most {}: "
+                    "make the panels longer",
+                    panels_.size(), most_panels));
   factors_.compute(equations());
 }
 

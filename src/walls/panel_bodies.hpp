@@ -9,10 +9,11 @@
 
 namespace mote {
 
-/// Bodies that stand still in a flow, and the vortex sheets on their surfaces that keep the velocity
-/// inside them at zero: the surface integral of Isshiki (2014), (38), with eps = 0 inside. As the
-/// flow inside has no sources and no vorticity, a tangential velocity of zero on the inner side is
-/// enough, and no fluid passes either. On a panel, with the sheet strength gamma constant on each,
+/// Bodies that stand still in a flow, and the vortex sheets on their surfaces that keep the
+/// velocity inside them at zero: the surface integral of Isshiki (2014), (38), with eps = 0 inside.
+/// As the flow inside has no sources and no vorticity, a tangential velocity of zero on the inner
+/// side is enough, and no fluid passes either. On a panel, with the sheet strength gamma constant
+/// on each,
 ///   -gamma/2 + (velocity of everything else) . t = 0,
 /// a Fredholm equation of the second kind, here in the mean over every panel with exact integrals.
 /// The fluid slips along the outer side with the velocity gamma. The equations of a body sum to 0,

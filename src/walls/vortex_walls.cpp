@@ -30,7 +30,10 @@ VortexWalls::VortexWalls(std::span<const Outline> bodies, const VortexWallOption
     : options_(options),
       bodies_(bodies, options.panel_length * options.spacing),
       lattice_(bodies_, options.spacing, options.node),
-      diffusion_(lattice_, options.viscosity) {
+      diffusion_(lattice_, options.viscosity),
+      slip_(bodies_.panels().size()),
+      given_(slip_),
+      wall_vorticity_(slip_) {
   for (const Panel& panel : bodies_.panels())
     panel_places_.insert(panel_places_.end(), {panel.middle().real(), panel.middle().imag()});
 }
@@ -82,10 +85,14 @@ void VortexWalls::begin_step(const PlaneVortices& vortices, std::span<const doub
   impulse_before_ = impulse(before, sheet(before, stream)) + lost_.impulse;
 }
 
-/// Vorticity on the lattice after a step of diffusion, without what is too weak to be kept.
-LatticeVorticity VortexWalls::diffused(const Vortices& vortices, double step) {
+/// Vorticity on the lattice, diffused but for what the walls give off, and without what is too weak
+/// to be kept.
+LatticeVorticity VortexWalls::lattice_vorticity(const Vortices& vortices, double step) {
   LatticeVorticity vorticity = remeshed(vortices, lattice_);
-  diffusion_.diffuse(step, vorticity);
+  if (options_.viscosity > 0) {
+    vorticity_before_ = vorticity;
+    diffusion_.diffuse(step, vorticity);
+  }
   const LostVorticity lost =
       drop_weak(lattice_, options_.threshold * largest(vorticity.circulation), vorticity);
   lost_.circulation += lost.circulation;
@@ -93,20 +100,40 @@ LatticeVorticity VortexWalls::diffused(const Vortices& vortices, double step) {
   return vorticity;
 }
 
+void VortexWalls::give_off(std::span<const double> stream, double step,
+                           WallDiffusion::Release release, LatticeVorticity& vorticity) {
+  const std::vector<double> strength = sheet(particles_of(vorticity, lattice_).vortices(), stream);
+  for (std::size_t k = 0; k < strength.size(); ++k)
+    given_[k] = strength[k] * bodies_.panels()[k].length();
+  diffusion_.add_sheet(given_, step, release, vorticity);
+  wall_vorticity_ = diffusion_.wall_vorticity(strength, step, vorticity_before_);
+  const std::vector<double> after = diffusion_.wall_vorticity(strength, step, vorticity);
+  for (std::size_t k = 0; k < after.size(); ++k)
+    wall_vorticity_[k] = (wall_vorticity_[k] + after[k]) / 2;
+}
+
 VortexWalls::Replaced VortexWalls::end_step(const PlaneVortices& vortices,
                                             std::span<const double> stream, double step,
                                             WallDiffusion::Release release) {
+  step_ = step;
   const std::vector<Complex> places = complex(vortices.position);
-  LatticeVorticity vorticity = diffused({places, vortices.circulation}, step);
-  std::vector<double> given = sheet(particles_of(vorticity, lattice_).vortices(), stream);
-  for (std::size_t k = 0; k < given.size(); ++k) given[k] *= bodies_.panels()[k].length();
-  diffusion_.add_sheet(given, step, release, vorticity);
+  LatticeVorticity vorticity = lattice_vorticity({places, vortices.circulation}, step);
+  if (options_.viscosity > 0) give_off(stream, step, release, vorticity);
   const LatticeParticles after = particles_of(vorticity, lattice_);
   slip_ = sheet(after.vortices(), stream);
-  const Complex force =
-      (impulse_before_ - impulse(after.vortices(), slip_) - lost_.impulse) / step;
+  const Complex force = (impulse_before_ - impulse(after.vortices(), slip_) - lost_.impulse) / step;
   force_ = {force.real(), force.imag()};
   return {flat(after.place), after.circulation};
+}
+
+std::array<double, 2> VortexWalls::force_on(std::size_t body) const {
+  const std::span<const Panel> panels = bodies_.panels(body);
+  const std::size_t first = panels.data() - bodies_.panels().data();
+  Complex sum{};
+  for (std::size_t k = 0; k < panels.size(); ++k)
+    sum += options_.viscosity * wall_vorticity_[first + k] * (panels[k].to - panels[k].from) -
+           impulse_of(given_[first + k], panels[k].middle()) / step_;
+  return {sum.real(), sum.imag()};
 }
 
 }  // namespace mote

@@ -58,6 +58,13 @@ class VortexWalls {
   /// vortices and sheets. In a fluid at rest inside the bodies there is no other.
   std::array<double, 2> force() const { return force_; }
 
+  /// The same for one body, by what happens at its wall: friction, from the vorticity there, and
+  /// pressure, whose slope along the wall is -1/step times the strength of the sheet that is given
+  /// off. It needs a viscosity; the sum over the bodies agrees with `force` but for errors.
+  std::array<double, 2> force_on(std::size_t body) const;
+  /// Vorticity at every panel, the mean over the last step.
+  std::span<const double> wall_vorticity() const { return wall_vorticity_; }
+
   /// Strength of the sheets that the last step left, which is the velocity of slip, on every panel.
   std::span<const double> slip() const { return slip_; }
   /// What weak vortices took with them, in all steps; the circulation has come back since.
@@ -66,13 +73,17 @@ class VortexWalls {
  private:
   std::vector<double> sheet(const Vortices& vortices, std::span<const double> stream) const;
   Complex impulse(const Vortices& vortices, std::span<const double> sheet) const;
-  LatticeVorticity diffused(const Vortices& vortices, double step);
+  LatticeVorticity lattice_vorticity(const Vortices& vortices, double step);
+  void give_off(std::span<const double> stream, double step, WallDiffusion::Release release,
+                LatticeVorticity& vorticity);
 
   VortexWallOptions options_;
   PanelBodies bodies_;
   CutLattice lattice_;
   WallDiffusion diffusion_;
-  std::vector<double> panel_places_, slip_;
+  std::vector<double> panel_places_, slip_, given_, wall_vorticity_;
+  double step_ = 0;                    ///< the last one
+  LatticeVorticity vorticity_before_;  ///< diffusion
   Complex impulse_before_{};
   LostVorticity lost_;
   std::array<double, 2> force_{};

@@ -43,8 +43,7 @@ void WallDiffusion::Coefficients::advance(double factor, std::vector<double>& ci
     for (std::size_t k = first; k < first + columns; ++k) {
       const double from_right = k + 1 < first + columns ? right[k] * (omega[k + 1] - omega[k]) : 0;
       const double to_left = k > first ? right[k - 1] * (omega[k] - omega[k - 1]) : 0;
-      const double from_above =
-          row + 1 < box.rows ? above[k] * (omega[k + columns] - omega[k]) : 0;
+      const double from_above = row + 1 < box.rows ? above[k] * (omega[k + columns] - omega[k]) : 0;
       const double to_below = row > 0 ? above[k - columns] * (omega[k] - omega[k - columns]) : 0;
       circulation[k] += (from_right - to_left) + (from_above - to_below);
     }
@@ -71,29 +70,45 @@ void WallDiffusion::diffuse(double time, LatticeVorticity& vorticity) const {
     links.advance(viscosity_ * time / count, vorticity.circulation, omega);
 }
 
+/// The trapezoidal rule.
+static double even_part(int step, int count) {
+  return (step == 0 || step == count ? 0.5 : 1.0) / count;
+}
+
+/// All at once, but as late as vorticity from the wall would take to spread to where the particle
+/// stands: that has the right second moment.
+double WallDiffusion::late_part(int step, int count, const PanelShare& share, double time) const {
+  const double delay = share.distance * share.distance / (2 * viscosity_);
+  return step == std::lround(std::min(1.0, delay / time) * count) ? 1 : 0;
+}
+
 void WallDiffusion::add_sheet(std::span<const double> circulation, double time, Release release,
                               LatticeVorticity& vorticity) const {
   const NodeBox& box = lattice_->box();
   const Coefficients links = coefficients(box);
   std::vector<double> added(box.count()), omega(box.count());
   const int count = steps(time);
-  const auto give_off = [&](int step) {
-    for (const auto& [cell, panel, fraction, distance] : lattice_->shares()) {
-      const double delay = distance * distance / (2 * viscosity_);
-      const int start = std::min<int>(count, std::lround(delay / time * count));
-      const double part = release == Release::evenly
-                              ? (step == 0 || step == count ? 0.5 : 1.0) / count
-                              : (step == start ? 1.0 : 0.0);
-      added[cell] += part * fraction * circulation[panel];
-    }
-  };
-  give_off(0);
-  for (int n = 1; n <= count; ++n) {
-    links.advance(viscosity_ * time / count, added, omega);
-    give_off(n);
+  for (int step = 0; step <= count; ++step) {
+    if (step > 0) links.advance(viscosity_ * time / count, added, omega);
+    for (const PanelShare& share : lattice_->shares())
+      added[share.cell] += share.fraction * circulation[share.panel] *
+                           (release == Release::evenly ? even_part(step, count)
+                                                       : late_part(step, count, share, time));
   }
   for (std::size_t cell = 0; cell < box.count(); ++cell)
     vorticity.circulation[vorticity.box.place(box.i(cell), box.j(cell))] += added[cell];
+}
+
+std::vector<double> WallDiffusion::wall_vorticity(std::span<const double> sheet, double time,
+                                                  const LatticeVorticity& vorticity) const {
+  std::vector<double> result(sheet.size());
+  const NodeBox& box = lattice_->box();
+  for (const auto& [cell, panel, fraction, distance] : lattice_->shares()) {
+    const std::size_t node = vorticity.box.place(box.i(cell), box.j(cell));
+    result[panel] += fraction * (vorticity.circulation[node] / lattice_->area(cell) +
+                                 distance * sheet[panel] / (viscosity_ * time));
+  }
+  return result;
 }
 
 }  // namespace mote

@@ -32,10 +32,16 @@ class WallDiffusion {
   void add_sheet(std::span<const double> circulation, double time, Release release,
                  LatticeVorticity& vorticity) const;
 
+  /// Vorticity at every panel: what the particles beside it have, carried on to the wall by the
+  /// slope -nu domega/dn = strength/time at which the panel gives off this sheet.
+  std::vector<double> wall_vorticity(std::span<const double> sheet, double time,
+                                     const LatticeVorticity& vorticity) const;
+
  private:
   struct Coefficients;
   Coefficients coefficients(const NodeBox& box) const;
   int steps(double time) const;
+  double late_part(int step, int count, const PanelShare& share, double time) const;
 
   const CutLattice* lattice_;
   double viscosity_;

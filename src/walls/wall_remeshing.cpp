@@ -8,9 +8,9 @@
 namespace mote {
 namespace {
 
-constexpr int reach_beside_walls = 3;     ///< nodes each way
+constexpr int reach_beside_walls = 3;        ///< nodes each way
 constexpr double radius_beside_walls = 2.9;  ///< spacings
-constexpr double largest_weights = 3;     ///< sum of their sizes
+constexpr double largest_weights = 3;        ///< sum of their sizes
 
 /// Monaghan's M4': 1 - 5/2 u^2 + 3/2 u^3 up to u = 1, (2 - u)^2 (1 - u)/2 up to 2.
 std::array<double, 4> m4_prime(double u) {
@@ -54,7 +54,8 @@ class Remeshing {
 
   void add(Complex place, double circulation) {
     const Complex at = lattice_.in_spacings(place);
-    const int i = static_cast<int>(std::floor(at.real())), j = static_cast<int>(std::floor(at.imag()));
+    const int i = static_cast<int>(std::floor(at.real())),
+              j = static_cast<int>(std::floor(at.imag()));
     if (is_open(i, j))
       add_by_kernel(i, j, at, circulation);
     else
