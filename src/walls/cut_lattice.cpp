@@ -144,6 +144,8 @@ void CutLattice::choose_owners(const PanelBodies& bodies) {
   for (std::size_t cell = 0; cell < box_.count(); ++cell)
     if (owner_[cell] == nobody && area_[cell] > rounding * square)
       owner[cell] = nearest_carrier(cell);
+    else if (owner_[cell] == nobody)
+      area_[cell] = 0;
   for (std::size_t cell = 0; cell < box_.count(); ++cell)
     if (owner[cell] != cell && owner[cell] != nobody) take_over(bodies, owner[cell], cell);
   owner_ = owner;

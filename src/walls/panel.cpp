@@ -7,10 +7,12 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-/// 2 artanh q to its ninth power: ln((w + d)/(w - d)) for q = d/w.
+/// 2 artanh q to its 13th power: ln((w + d)/(w - d)) for q = d/w.
 Complex series(Complex q) {
   const Complex q2 = q * q;
-  return 2.0 * q * (1.0 + q2 * (1.0 / 3 + q2 * (1.0 / 5 + q2 * (1.0 / 7 + q2 / 9.0))));
+  Complex sum = 1.0 / 13;
+  for (const int odd : {11, 9, 7, 5, 3, 1}) sum = sum * q2 + 1.0 / odd;
+  return 2.0 * q * sum;
 }
 
 /// The integral of ln over the path, w ln w - w, its branch cut opposite to `ahead`. The second

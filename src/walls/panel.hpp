@@ -20,7 +20,7 @@ struct Panel {
 };
 
 /// ln((z - from)/(z - to)); its imaginary part is the angle under which `place` sees the panel,
-/// -pi or pi on the panel itself. Far away by a series, with an error of 1e-11 of its value.
+/// -pi or pi on the panel itself. Far away by a series that is exact to rounding.
 /// Half the panel over the distance, squared, up to which the series is taken.
 inline constexpr double reach_of_sight_series = 0.1 * 0.1;
 Complex sight_of(const Panel& panel, Complex place);

@@ -44,8 +44,8 @@ Sights sights_of(const Panel& panel, const Pack& pack) {
   const Lanes a = (half.real() * x + half.imag() * y) * scale;  // q = a + ib
   const Lanes b = (half.imag() * x - half.real() * y) * scale;
   const Lanes c = a * a - b * b, d = 2 * a * b;  // its square
-  Lanes real = c / 9.0 + 1.0 / 7, imag = d / 9.0;
-  for (const double term : {1.0 / 5, 1.0 / 3, 1.0}) {
+  Lanes real = 1.0 / 13, imag = 0;
+  for (const double term : {1.0 / 11, 1.0 / 9, 1.0 / 7, 1.0 / 5, 1.0 / 3, 1.0}) {
     const Lanes next = real * c - imag * d + term;
     imag = real * d + imag * c;
     real = next;

@@ -12,7 +12,7 @@ namespace mote {
 struct VortexWallOptions {
   double spacing = 0;         ///< of the lattice that vortices are put on [length]
   Complex node{};             ///< a node of that lattice
-  double panel_length = 1.5;  ///< of panels, in spacings
+  double panel_length = 2.5;  ///< at most, in spacings; shorter ones see single vortices
   double viscosity = 0;       ///< kinematic [length^2/time]
   double threshold = 1e-6;    ///< nodes below it, over the largest circulation, stay empty
   double circulation = 0;     ///< of all vortices and of the flow around the bodies, at the start
