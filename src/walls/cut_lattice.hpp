@@ -72,6 +72,9 @@ class CutLattice {
   std::size_t owner(std::size_t cell) const { return owner_[cell]; }
   /// Fluid area of a node's cell with what it has taken over. [length^2]
   double area(std::size_t cell) const { return area_[cell]; }
+  double area(int i, int j) const {
+    return box_.holds(i, j) ? area_[box_.place(i, j)] : spacing_ * spacing_;
+  }
   /// Open length of the faces to the right and above, over the spacing, of nodes that carry a
   /// particle on both sides; 0 otherwise.
   double open_right(std::size_t cell) const { return open_right_[cell]; }

@@ -123,7 +123,7 @@ VortexWalls::Replaced VortexWalls::end_step(const PlaneVortices& vortices,
   slip_ = sheet(after.vortices(), stream);
   const Complex force = (impulse_before_ - impulse(after.vortices(), slip_) - lost_.impulse) / step;
   force_ = {force.real(), force.imag()};
-  return {flat(after.place), after.circulation};
+  return {flat(after.place), after.circulation, after.area};
 }
 
 std::array<double, 2> VortexWalls::force_on(std::size_t body) const {

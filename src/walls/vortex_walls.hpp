@@ -14,7 +14,8 @@ struct VortexWallOptions {
   Complex node{};             ///< a node of that lattice
   double panel_length = 2.5;  ///< at most, in spacings; shorter ones see single vortices
   double viscosity = 0;       ///< kinematic [length^2/time]
-  double threshold = 1e-6;    ///< nodes below it, over the largest circulation, stay empty
+  double threshold = 1e-6;    ///< nodes below it, over the largest circulation, stay empty; what
+                              ///< is lost at 1e-4 shows in forces
   double circulation = 0;     ///< of all vortices and of the flow around the bodies, at the start
 };
 
@@ -45,8 +46,14 @@ class VortexWalls {
   /// Takes notice of the impulse before a step.
   void begin_step(const PlaneVortices& vortices, std::span<const double> stream);
 
+  /// In which vorticity spreads from a wall to the particles beside it. Shorter steps are stable,
+  /// but make a flow that starts at once look older by as much. [time]
+  double settling_time() const {
+    return 0.15 * options_.spacing * options_.spacing / options_.viscosity;
+  }
+
   struct Replaced {
-    std::vector<double> position, circulation;
+    std::vector<double> position, circulation, area;
   };
   /// All but the motion: the vortices that there are after a step, in the order of nodes.
   /// `release` is `at_start` in the first step of a flow that starts at once.

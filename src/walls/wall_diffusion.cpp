@@ -4,6 +4,12 @@
 #include <cmath>
 
 namespace mote {
+namespace {
+
+/// Of a sheet that is given off evenly, by the trapezoidal rule.
+double even_part(int step, int count) { return (step == 0 || step == count ? 0.5 : 1.0) / count; }
+
+}  // namespace
 
 /// Of every node of a box: one over its area, and its links.
 struct WallDiffusion::Coefficients {
@@ -56,7 +62,7 @@ void WallDiffusion::Coefficients::advance(double factor, std::vector<double>& ci
 }
 
 /// nu dt/h^2 = 1/6 cancels the leading errors in time and space against each other along an axis,
-/// and is stable for the smallest cells: their area is no less than 3/4 h^2 at a straight wall.
+/// and is stable for the smallest cells, which are half as large as whole ones.
 int WallDiffusion::steps(double time) const {
   const double spacing = lattice_->spacing();
   return std::max(1, static_cast<int>(std::ceil(6 * viscosity_ * time / (spacing * spacing))));
@@ -68,11 +74,6 @@ void WallDiffusion::diffuse(double time, LatticeVorticity& vorticity) const {
   const int count = steps(time);
   for (int n = 0; n < count; ++n)
     links.advance(viscosity_ * time / count, vorticity.circulation, omega);
-}
-
-/// The trapezoidal rule.
-static double even_part(int step, int count) {
-  return (step == 0 || step == count ? 0.5 : 1.0) / count;
 }
 
 /// All at once, but as late as vorticity from the wall would take to spread to where the particle

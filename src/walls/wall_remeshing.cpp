@@ -145,6 +145,7 @@ LatticeParticles particles_of(const LatticeVorticity& vorticity, const CutLattic
     if (vorticity.circulation[k] != 0) {
       result.place.push_back(lattice.place(vorticity.box.i(k), vorticity.box.j(k)));
       result.circulation.push_back(vorticity.circulation[k]);
+      result.area.push_back(lattice.area(vorticity.box.i(k), vorticity.box.j(k)));
     }
   return result;
 }

@@ -19,7 +19,7 @@ LostVorticity drop_weak(const CutLattice& lattice, double least, LatticeVorticit
 /// The particles of a lattice, in the order of its nodes; empty nodes have none.
 struct LatticeParticles {
   std::vector<Complex> place;
-  std::vector<double> circulation;
+  std::vector<double> circulation, area;
 
   Vortices vortices() const { return {place, circulation}; }
 };

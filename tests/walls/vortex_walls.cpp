@@ -16,10 +16,12 @@ using Release = WallDiffusion::Release;
 /// summed over pairs, with algebraic cores of fourth order and 0.7 spacings.
 struct StartedCylinder {
   StartedCylinder(double reynolds, double spacing, double step)
+      : StartedCylinder(reynolds, spacing, step,
+                        {circle_outline(0, 1, 4 * static_cast<Index>(0.65 / spacing))}) {}
+  StartedCylinder(double reynolds, double spacing, double step, const std::vector<Outline>& bodies)
       : step_(step),
         core2_(0.49 * spacing * spacing),
-        walls(std::vector{circle_outline(0, 1, 4 * static_cast<Index>(0.65 / spacing))},
-              {.spacing = spacing, .viscosity = 2 / reynolds}) {
+        walls(bodies, {.spacing = spacing, .viscosity = 2 / reynolds}) {
     for (std::size_t k = 0; k < walls.bodies().panels().size(); ++k) {
       stream_.push_back(1);
       stream_.push_back(0);
@@ -143,6 +145,18 @@ TEST(VortexWalls, SameBitsForAnyNumberOfThreads) {
   omp_set_num_threads(threads_before);
   EXPECT_EQ(results[0], results[1]);
   EXPECT_EQ(results[0], results[2]);
+}
+
+/// One behind the other: each has its force, and both together the loss of impulse.
+TEST(VortexWalls, ForcesOnBodiesSumToTheLossOfImpulse) {
+  const double spacing = 0.08, step = 0.06;
+  StartedCylinder flow(200, spacing, step,
+                       {circle_outline(0, 1, 32), circle_outline({2.6, 0.5}, 0.7, 24)});
+  for (int n = 0; n < 12; ++n) flow.advance();
+  const auto first = flow.walls.force_on(0), second = flow.walls.force_on(1);
+  const auto sum = flow.walls.force();
+  EXPECT_NEAR(first[0] + second[0], sum[0], 0.05 * sum[0]);
+  EXPECT_NEAR(first[1] + second[1], sum[1], 0.05 * sum[0]);
 }
 
 /// A vortex beside a cylinder in a fluid without friction goes round it: at (r, 0) with its image
