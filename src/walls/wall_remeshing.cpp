@@ -1,9 +1,13 @@
 #include "mote/walls/wall_remeshing.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "mote/particles/failure.hpp"
 
 namespace mote {
 namespace {
@@ -24,8 +28,8 @@ struct Node {
   Complex offset;  ///< from the particle, in spacings
 };
 
-/// Weights of least sum of squares over `nearness` that conserve the moments up to `order`; empty
-/// if there are none or if they are large.
+/// Weights that conserve the moments up to `order`, with the least sum of squares over a nearness
+/// that grows towards the particle; empty if there are none or if they are large.
 std::vector<double> conserving_weights(const std::vector<Node>& nodes, int order) {
   const Eigen::Index moments = order == 2 ? 6 : order == 1 ? 3 : 1;
   const auto count = static_cast<Eigen::Index>(nodes.size());
@@ -59,7 +63,7 @@ class Remeshing {
     if (is_open(i, j))
       add_by_kernel(i, j, at, circulation);
     else
-      add_beside_wall(at, circulation);
+      add_beside_wall(place, circulation);
   }
 
  private:
@@ -90,8 +94,8 @@ class Remeshing {
     return nodes;
   }
 
-  void add_beside_wall(Complex at, double circulation) {
-    const std::vector<Node> nodes = nodes_around(at);
+  void add_beside_wall(Complex place, double circulation) {
+    const std::vector<Node> nodes = nodes_around(lattice_.in_spacings(place));
     for (int order = 2; order >= 0; --order)
       if (const std::vector<double> weights = conserving_weights(nodes, order); !weights.empty()) {
         for (std::size_t k = 0; k < nodes.size(); ++k)
@@ -99,6 +103,9 @@ class Remeshing {
               circulation * weights[k];
         return;
       }
+    throw NumericalFailure(fmt::format("a vortex has got into a body, at ({:.6g}, {:.6g})",
+                                       place.real(), place.imag()),
+                           {}, "the step is too long");
   }
 
   const CutLattice& lattice_;

@@ -10,7 +10,8 @@ namespace mote {
 /// Circulations of particles on the nodes of a cut lattice that may carry one. Away from walls by
 /// the M4' kernel (Monaghan 1985), which conserves circulation and the first and second moments;
 /// where one of its 16 nodes is in a wall, by least squares among the nodes outside that conserves
-/// the same moments, or only the first where they would be taken from too far.
+/// the same moments, or only the first where they would be taken from too far. Throws
+/// NumericalFailure for a particle that has got deep into a body.
 LatticeVorticity remeshed(const Vortices& particles, const CutLattice& lattice);
 
 /// Empties the nodes whose circulation is no larger than `least` in size, and says what they had.

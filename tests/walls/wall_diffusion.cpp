@@ -22,7 +22,7 @@ struct Layer {
 /// Beside a square; a sheet of strength 1 sits on one of its sides, turned against the lattice.
 struct PlaneWall {
   explicit PlaneWall(double spacing)
-      : bodies(std::vector{Outline{square(2, std::polar(1.0, 0.3))}}, spacing),
+      : bodies(std::vector{Outline{square(2, std::polar(1.0, 0.3))}}, 0.08),
         lattice(bodies, spacing),
         diffusion(lattice, viscosity),
         circulation(bodies.panels().size()),

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mote/particles/failure.hpp"
 #include "support/random.hpp"
 #include "walls/exact_flows.hpp"
 
@@ -72,6 +73,12 @@ TEST_F(RemeshingBesideWalls, LeavingOutNodesInAWallConservesNothing) {
     if (!lattice.carries(all.box.i(k), all.box.j(k))) all.circulation[k] = 0;
   const LatticeParticles after = particles_of(all, open);
   EXPECT_GT(Moments({places, strength}).difference_of_first(Moments(after.vortices())), 1);
+}
+
+TEST_F(RemeshingBesideWalls, RefusesVorticesDeepInABody) {
+  const std::vector<Complex> places{{0.1, 0.1}};
+  const std::vector<double> strength{1};
+  EXPECT_THROW(remeshed({places, strength}, lattice), NumericalFailure);
 }
 
 TEST_F(RemeshingBesideWalls, ParticlesInTheirPlacesStay) {
