@@ -7,6 +7,7 @@
 #include "mote/models/free_stream.hpp"
 #include "mote/models/induced_velocity.hpp"
 #include "mote/models/remeshing.hpp"
+#include "mote/models/vortex_bodies.hpp"
 #include "mote/models/vortex_diffusion.hpp"
 #include "mote/models/vortex_moments.hpp"
 
@@ -14,7 +15,8 @@ namespace mote {
 
 /// The vortex method: dx/dt = u, (40) of Isshiki (2014), with the velocity of all vortices by the
 /// volume integral of (38) and a free stream. Friction changes circulations, sizes or places
-/// (`VortexDiffusion`); every so many steps the vortices may be put back on a lattice.
+/// (`VortexDiffusion`); every so many steps the vortices may be put back on a lattice. Where there
+/// are walls, they do both (`VortexBodies`), and the flow may start without a vortex.
 template <int D>
 class Vortex final : public Model {
  public:
@@ -28,7 +30,7 @@ class Vortex final : public Model {
   std::span<const Evolving> drifted() override { return drifted_; }
   std::span<const Evolving> kicked() override { return kicked_; }
   bool drifts_freely() const override { return false; }
-  bool compensates() const override { return options_.remesh_every == 0; }
+  bool compensates() const override { return options_.remesh_every == 0 && !bodies_; }
   void prepare(double /*time*/) override {}
   void update_drift_rates(double time) override;
   void update_kick_rates(double time) override;
@@ -48,6 +50,8 @@ class Vortex final : public Model {
   PairWork pair_work() const override { return diffusion_->pair_work(); }
   std::vector<std::string> remarks() const override;
   std::span<const Body> bodies() const override { return vortices_.start().bodies; }
+  Triple force_on(std::size_t body) const override;
+  std::vector<std::string> warnings() const override;
   double spacing() const override { return vortices_.start().spacing; }
   Parameters parameters() const override;
 
@@ -57,6 +61,7 @@ class Vortex final : public Model {
   void need_no_net_circulation();
   double core_size_at(double time) const;
   void remesh();
+  void end_step_beside_walls(double time, double step);
   VortexLatticeOptions lattice() const;
   VortexMoments moments() const;
   bool keeps_impulse() const;
@@ -67,6 +72,7 @@ class Vortex final : public Model {
   std::unique_ptr<InducedVelocity<D>> induced_;
   std::unique_ptr<VortexDiffusion<D>> diffusion_;
   FreeStream<D> free_stream_;
+  std::unique_ptr<VortexBodies> bodies_;  ///< null without walls
   std::vector<double> circulation_rate_;
   std::vector<Evolving> drifted_, kicked_;
 

@@ -1,7 +1,10 @@
 #include "mote/models/vortex_options.hpp"
 
+#include <algorithm>
+
 #include "mote/models/induced_velocity.hpp"
 #include "mote/models/vortex.hpp"
+#include "mote/models/vortex_outlines.hpp"
 #include "mote/particles/failure.hpp"
 
 namespace mote {
@@ -86,12 +89,20 @@ void VortexOptions::describe(Description& d) {
              {1e-13, 1e-2});
   });
   d.number({"kinematic_viscosity", "nu"}, kinematic_viscosity, not_negative);
-  d.section({"diffusion", "how it spreads vorticity"}, [&] { describe_diffusion(d, *this); });
+  d.section({"diffusion",
+             "how it spreads vorticity; beside walls there is one way alone: each step ends with "
+             "vortices on the nodes of a lattice that walls cut, which exchange circulation"},
+            [&] { describe_diffusion(d, *this); });
   d.section({"remesh", "putting the vortices back on a lattice from the domain's lower corner on"},
             [&] { describe_remeshing(d, *this); });
+  d.number({"panel_length",
+            "of walls, at most, in spacings: walls are regions that are one box, ball or polygon, "
+            "made of panels along the outline, which stand still and where the fluid sticks"},
+           panel_length, {0.5, 10});
   d.number({"threshold",
             "vorticity over its highest below which the start and remeshing leave a place empty; "
-            "the circulation and impulses that this takes are given back to the others"},
+            "the circulation and impulses that this takes are given back to the others, beside walls to the walls (there forces "
+            "want 1e-6 or less)"},
            threshold, {0, 0.1});
   d.expressions({"free_stream",
                  "velocity far away in x, y and t, one formula a dimension, free of divergence and "
@@ -101,12 +112,13 @@ void VortexOptions::describe(Description& d) {
                 vortices, [&](SingleVortex& vortex) { describe_vortex(d, vortex); });
 }
 
-void VortexOptions::check() const {
+void VortexOptions::check(bool has_walls) const {
   if (overlap && core_size)
     refuse("core.size", "'size' and 'overlap' both say how large cores are");
   if (diffusion != Diffusion::none && kinematic_viscosity == 0)
     refuse("diffusion.type", "nothing diffuses at the viscosity 0: give 'kinematic_viscosity'");
-  if (diffusion == Diffusion::none && kinematic_viscosity > 0)
+  if (has_walls) refuse_options_beside_walls(*this);
+  if (diffusion == Diffusion::none && kinematic_viscosity > 0 && !has_walls)
     refuse("kinematic_viscosity", "the viscosity has no effect without a type of 'diffusion'");
   if (diffusion == Diffusion::core_spreading && core != "gauss")
     refuse("core.name",
@@ -131,7 +143,8 @@ std::vector<std::string> VortexRecipe::conserved_names(int /*dimension*/) const 
 std::unique_ptr<Model> VortexRecipe::make(SpaceSetup setup) const {
   if (setup.dimension != 2)
     throw InputError("dimension", "the model vortex lives in 2 dimensions, this scenario in 3");
-  options.check();
+  options.check(std::ranges::any_of(
+      setup.bodies, [](const Body& body) { return body.kind == BodyKind::wall; }));
   return std::make_unique<Vortex<2>>(options, std::move(setup));
 }
 

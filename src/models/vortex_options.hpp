@@ -40,12 +40,14 @@ struct VortexOptions {
   Remeshing remeshing = Remeshing::m4_prime;
   double threshold = 1e-8;
 
+  double panel_length = 2.5;  ///< of walls, at most [spacings]
+
   std::vector<std::string> free_stream;
   std::vector<SingleVortex> vortices;
 
   void describe(Description& description);
-  /// Refuses what does not go together. Throws InputError.
-  void check() const;
+  /// Refuses what does not go together in a fluid with walls, or without. Throws InputError.
+  void check(bool has_walls) const;
   /// Radius of the cores of blobs that stand so far apart.
   double core_radius(double spacing) const;
 };
@@ -55,13 +57,15 @@ class VortexRecipe final : public ModelRecipe {
  public:
   static constexpr std::string_view name = "vortex";
   static constexpr std::string_view summary =
-      "vortex blobs in an unbounded plane, or in a box that is periodic both ways (VBM)";
+      "vortex blobs in an unbounded plane, past bodies if there are any, or in a box that is "
+      "periodic both ways (VBM)";
 
   VortexOptions options;
 
   bool lives_on_a_line() const override { return false; }
   bool step_suffices() const override { return true; }
   bool has_circulation() const override { return true; }
+  std::optional<double> longest_side_of_walls() const override { return options.panel_length; }
   void describe(Description& description) override { options.describe(description); }
   std::vector<InitialField> initial_fields(int dimension) const override;
   std::vector<std::string> conserved_names(int dimension) const override;

@@ -8,21 +8,9 @@
 #include "mote/particles/failure.hpp"
 
 namespace mote {
-namespace {
-
-void refuse_walls(const SpaceStart& start) {
-  for (const Body& body : start.bodies)
-    if (body.kind == BodyKind::wall)
-      throw InputError("model.type",
-                       fmt::format("vortices know no walls, and '{}' is one", body.name));
-}
-
-}  // namespace
-
 template <int D>
 VortexParticles<D>::VortexParticles(const VortexOptions& options, SpaceStart start)
     : start_(std::move(start)), cloud_(D, 0) {
-  refuse_walls(start_);
   const FieldKind kind = D == 2 ? FieldKind::scalar : FieldKind::vector;
   cloud_.add("velocity", FieldKind::vector, "m/s");
   cloud_.add("circulation", kind, D == 2 ? "m²/s" : "m³/s");
@@ -33,7 +21,7 @@ VortexParticles<D>::VortexParticles(const VortexOptions& options, SpaceStart sta
   cloud_.add("body", FieldKind::scalar, "");
   VortexList<D> vortices = blobs(options.threshold);
   add_single(options, vortices);
-  if (vortices.count() == 0)
+  if (vortices.count() == 0 && !has_walls())
     throw InputError("initial.vorticity",
                      "there is no vortex: neither has 'initial' a vorticity, nor the model "
                      "'vortices'");
@@ -60,6 +48,7 @@ VortexList<D> VortexParticles<D>::blobs(double threshold) const {
   std::vector<double> circulation(start_.body.size());
   double highest = 0;
   for (std::size_t i = 0; i < circulation.size(); ++i) {
+    if (start_.bodies[static_cast<std::size_t>(start_.body[i])].kind == BodyKind::wall) break;
     Triple place{};
     std::copy_n(start_.position.begin() + static_cast<std::ptrdiff_t>(i * D), D, place.begin());
     circulation[i] = cell * start_.initial("vorticity", place);
@@ -88,7 +77,13 @@ void VortexParticles<D>::add_single(const VortexOptions& options, VortexList<D>&
 }
 
 template <int D>
+bool VortexParticles<D>::has_walls() const {
+  return std::ranges::any_of(start_.bodies, [](const Body& b) { return b.kind == BodyKind::wall; });
+}
+
+template <int D>
 void VortexParticles<D>::spread_cores(double size) {
+  size_of_none_ = size;
   std::ranges::fill(core_size_, size);
 }
 
@@ -102,13 +97,14 @@ double VortexParticles<D>::highest_density() const {
 }
 
 template <int D>
-void VortexParticles<D>::replace(const VortexList<D>& vortices) {
+void VortexParticles<D>::replace(const VortexList<D>& vortices, std::span<const double> volume) {
   const double size = core_size();
   cloud_.resize(static_cast<Index>(vortices.count()));
   bind();
   std::ranges::copy(vortices.position, position_.begin());
   std::ranges::copy(vortices.circulation, circulation_.begin());
   std::ranges::fill(volume_, std::pow(start_.spacing, D));
+  std::ranges::copy(volume, volume_.begin());
   std::ranges::fill(age_, 0);
   std::ranges::fill(cloud_.values("body"), 0);
   spread_cores(size);
@@ -126,7 +122,7 @@ void VortexParticles<D>::wrap() {
 template <int D>
 void VortexParticles<D>::restore(const Cloud& state) {
   for (const Field& field : cloud_.fields())
-    if (!state.has(field.name) || state.count() == 0)
+    if (!state.has(field.name) || (state.count() == 0 && !has_walls()))
       throw InputError("this snapshot lacks vortices or the field " + field.name);
   cloud_.resize(state.count());
   bind();

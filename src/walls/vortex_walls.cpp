@@ -82,7 +82,7 @@ Complex VortexWalls::impulse(const Vortices& vortices, std::span<const double> s
 void VortexWalls::begin_step(const PlaneVortices& vortices, std::span<const double> stream) {
   const std::vector<Complex> places = complex(vortices.position);
   const Vortices before{places, vortices.circulation};
-  impulse_before_ = impulse(before, sheet(before, stream)) + lost_.impulse;
+  impulse_before_ = impulse(before, sheet(before, stream));
 }
 
 /// Vorticity on the lattice, diffused but for what the walls give off, and without what is too weak
@@ -93,10 +93,7 @@ LatticeVorticity VortexWalls::lattice_vorticity(const Vortices& vortices, double
     vorticity_before_ = vorticity;
     diffusion_.diffuse(step, vorticity);
   }
-  const LostVorticity lost =
-      drop_weak(lattice_, options_.threshold * largest(vorticity.circulation), vorticity);
-  lost_.circulation += lost.circulation;
-  lost_.impulse += lost.impulse;
+  lost_ = drop_weak(lattice_, options_.threshold * largest(vorticity.circulation), vorticity);
   return vorticity;
 }
 
@@ -127,6 +124,7 @@ VortexWalls::Replaced VortexWalls::end_step(const PlaneVortices& vortices,
 }
 
 std::array<double, 2> VortexWalls::force_on(std::size_t body) const {
+  if (step_ == 0) return {};
   const std::span<const Panel> panels = bodies_.panels(body);
   const std::size_t first = panels.data() - bodies_.panels().data();
   Complex sum{};

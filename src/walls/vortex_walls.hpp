@@ -68,13 +68,14 @@ class VortexWalls {
   /// The same for one body, by what happens at its wall: friction, from the vorticity there, and
   /// pressure, whose slope along the wall is -1/step times the strength of the sheet that is given
   /// off. It needs a viscosity; the sum over the bodies agrees with `force` but for errors.
+  /// Nothing before the first step.
   std::array<double, 2> force_on(std::size_t body) const;
   /// Vorticity at every panel, the mean over the last step.
   std::span<const double> wall_vorticity() const { return wall_vorticity_; }
 
   /// Strength of the sheets that the last step left, which is the velocity of slip, on every panel.
   std::span<const double> slip() const { return slip_; }
-  /// What weak vortices took with them, in all steps; the circulation has come back since.
+  /// What weak vortices took with them in the last step; the circulation comes back in the next.
   const LostVorticity& lost() const { return lost_; }
 
  private:
