@@ -19,12 +19,12 @@ VortexBodies::VortexBodies(const VortexOptions& options, const VortexParticles<2
   const SpaceStart& start = vortices.start();
   VortexOutlines bodies = vortex_outlines(start);
   numbers_ = std::move(bodies.number);
-  VortexWallOptions walls{.spacing = start.spacing,
-                          .node = {start.lower[0] + start.spacing / 2,
-                                   start.lower[1] + start.spacing / 2},
-                          .panel_length = options.panel_length,
-                          .viscosity = options.kinematic_viscosity,
-                          .threshold = options.threshold};
+  VortexWallOptions walls{
+      .spacing = start.spacing,
+      .node = {start.lower[0] + start.spacing / 2, start.lower[1] + start.spacing / 2},
+      .panel_length = options.panel_length,
+      .viscosity = options.kinematic_viscosity,
+      .threshold = options.threshold};
   for (const double circulation : vortices.circulation()) walls.circulation += circulation;
   walls_ = std::make_unique<VortexWalls>(bodies.outline, walls);
 }

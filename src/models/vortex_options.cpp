@@ -101,7 +101,8 @@ void VortexOptions::describe(Description& d) {
            panel_length, {0.5, 10});
   d.number({"threshold",
             "vorticity over its highest below which the start and remeshing leave a place empty; "
-            "the circulation and impulses that this takes are given back to the others, beside walls to the walls (there forces "
+            "the circulation and impulses that this takes are given back to the others, beside "
+            "walls to the walls (there forces "
             "want 1e-6 or less)"},
            threshold, {0, 0.1});
   d.expressions({"free_stream",
@@ -143,8 +144,8 @@ std::vector<std::string> VortexRecipe::conserved_names(int /*dimension*/) const 
 std::unique_ptr<Model> VortexRecipe::make(SpaceSetup setup) const {
   if (setup.dimension != 2)
     throw InputError("dimension", "the model vortex lives in 2 dimensions, this scenario in 3");
-  options.check(std::ranges::any_of(
-      setup.bodies, [](const Body& body) { return body.kind == BodyKind::wall; }));
+  options.check(std::ranges::any_of(setup.bodies,
+                                    [](const Body& body) { return body.kind == BodyKind::wall; }));
   return std::make_unique<Vortex<2>>(options, std::move(setup));
 }
 

@@ -30,8 +30,8 @@ double depth_near(const Polygon& polygon, Triple place, double step) {
     bool deeper = true;
     while (deeper) {
       deeper = false;
-      for (const Triple& way : {Triple{step, 0, 0}, Triple{-step, 0, 0}, Triple{0, step, 0},
-                                Triple{0, -step, 0}}) {
+      for (const Triple& way :
+           {Triple{step, 0, 0}, Triple{-step, 0, 0}, Triple{0, step, 0}, Triple{0, -step, 0}}) {
         const Triple there{place[0] + way[0], place[1] + way[1], 0};
         const double found = -polygon.distance(there);
         if (found <= depth * (1 + rounding)) continue;
@@ -47,9 +47,11 @@ double depth_near(const Polygon& polygon, Triple place, double step) {
 /// Diameter of the largest circle in the body, about.
 double thickness(const SpaceStart& start, std::size_t body) {
   const auto fluids = static_cast<std::size_t>(
-      std::ranges::find_if(start.body, [&](std::int32_t b) {
-        return start.bodies[static_cast<std::size_t>(b)].kind == BodyKind::wall;
-      }) -
+      std::ranges::find_if(start.body,
+                           [&](std::int32_t b) {
+                             return start.bodies[static_cast<std::size_t>(b)].kind ==
+                                    BodyKind::wall;
+                           }) -
       start.body.begin());
   std::size_t deepest = start.body.size();
   for (std::size_t i = fluids; i < start.body.size(); ++i) {
@@ -110,13 +112,13 @@ void refuse_narrow(const SpaceStart& start, const VortexOutlines& outlines) {
       const double gap = std::min(distance_between(body, other, start.spacing),
                                   distance_between(other, body, start.spacing));
       if (gap < least)
-        throw InputError("regions",
-                         fmt::format("the walls '{}' and '{}' are {:.3g} spacings apart, and the "
-                                     "lattice needs {} at least",
-                                     other.name, body.name,
-                                     std::abs(gap) < rounding * start.spacing ? 0.0
-                                                                              : gap / start.spacing,
-                                     least_width));
+        throw InputError(
+            "regions",
+            fmt::format("the walls '{}' and '{}' are {:.3g} spacings apart, and the "
+                        "lattice needs {} at least",
+                        other.name, body.name,
+                        std::abs(gap) < rounding * start.spacing ? 0.0 : gap / start.spacing,
+                        least_width));
     }
   }
 }

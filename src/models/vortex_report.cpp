@@ -119,9 +119,10 @@ std::vector<std::string> Vortex<D>::remarks() const {
 template <int D>
 std::vector<std::string> Vortex<D>::warnings() const {
   if (!bodies_ || !bodies_->has_hurried()) return {};
-  return {fmt::format("steps are shorter than {:.3g}, in which what walls give off reaches the "
-                      "vortices beside them: a flow that starts at once looks older by as much",
-                      bodies_->settling_time())};
+  return {
+      fmt::format("steps are shorter than {:.3g}, in which what walls give off reaches the "
+                  "vortices beside them: a flow that starts at once looks older by as much",
+                  bodies_->settling_time())};
 }
 
 template <int D>
