@@ -46,8 +46,9 @@ void VortexBodies::begin_step(const VortexParticles<2>& vortices, double time, d
 }
 
 void VortexBodies::end_step(VortexParticles<2>& vortices, double time, double step) {
+  from_start_ = time == 0;
   const auto release =
-      time == 0 ? WallDiffusion::Release::at_start : WallDiffusion::Release::evenly;
+      from_start_ ? WallDiffusion::Release::at_start : WallDiffusion::Release::evenly;
   const VortexWalls::Replaced after =
       walls_->end_step(plane(vortices), stream(time + step), step, release);
   vortices.replace({after.position, after.circulation}, after.area);
@@ -65,7 +66,7 @@ std::vector<Reading> VortexBodies::readings() const {
 
 Triple VortexBodies::force_on(std::size_t body) const {
   const auto found = std::ranges::find(numbers_, body);
-  if (found == numbers_.end()) return {};
+  if (found == numbers_.end() || from_start_) return {};
   const auto [x, y] = walls_->force_on(static_cast<std::size_t>(found - numbers_.begin()));
   return {x, y, 0};
 }

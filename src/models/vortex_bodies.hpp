@@ -30,7 +30,8 @@ class VortexBodies {
   /// Force over the density in the last step, largest velocity of slip that it left, over the whole
   /// surface, and the circulation of the sheets.
   std::vector<Reading> readings() const;
-  /// On the body with this number in the start. [force over density; per length]
+  /// On the body with this number in the start, none in the first step, where a wall gives off
+  /// all at once what a flow that starts at once slips by. [force over density; per length]
   Triple force_on(std::size_t body) const;
   /// Whether some step was too short for what a wall gives off to reach the particles beside it.
   bool has_hurried() const { return has_hurried_; }
@@ -44,6 +45,7 @@ class VortexBodies {
   std::vector<std::size_t> numbers_;  ///< of the bodies in the start
   std::unique_ptr<VortexWalls> walls_;
   bool has_hurried_ = false;
+  bool from_start_ = false;  ///< whether the last step was the first
 };
 
 }  // namespace mote
