@@ -74,7 +74,7 @@ const std::vector<ScenarioCase> vortices{
      "vortices of a periodic box are points or have the core 'gauss'"},
     {"walls",
      vortex({{3, "domain: {lower: [-1, -1], upper: [1, 1], walls: [{side: x_lower}]}"},
-             {5, "model: {type: @vortex}"}}),
+             {5, "model: {type: @vortex, kinematic_viscosity: 0.1}"}}),
      "vortices flow around bodies, each of them one box, ball or polygon, and the wall 'x_lower' "
      "is none"},
     {"operator_of_circulation_elsewhere",
@@ -132,7 +132,7 @@ const std::vector<ScenarioCase> walls{
                 "]}]",
             sticky),
      "the wall 'a' lets the fluid slip, and vortices come from walls where it sticks"},
-    {"without_viscosity", beside("[" + ball + "]", ", @kinematic_viscosity: 0"),
+    {"without_viscosity", beside("[" + ball + "]", ", kinematic_viscosity: @0"),
      "walls where the fluid sticks need a 'kinematic_viscosity'"},
     {"with_another_diffusion",
      beside("[" + ball + "]", sticky + ", diffusion: {type: @particle_strength_exchange}"),
@@ -140,9 +140,12 @@ const std::vector<ScenarioCase> walls{
     {"with_another_lattice", beside("[" + ball + "]", sticky + ", remesh: {every: @2}"),
      "walls put the vortices on their lattice at the end of every step: leave 'remesh' out"},
     {"of_two_shapes",
-     beside("[{name: a, type: wall, shapes: [" + box_of("[-0.5, -0.5]", "[0, 0.5]") + ", " +
-                box_of("[0, -0.5]", "[0.5, 0.5]") + "]}]",
-            sticky),
+     vortex(
+         {{3,
+           "domain: {lower: [-1, -1], upper: [1, 1]}\nregions: [{name: a, type: wall, shapes: [" +
+               box_of("[-0.5, -0.5]", "[0, 0.5]") + ", " + box_of("[0, -0.5]", "[0.5, 0.5]") +
+               "]}]"},
+          {5, "model: {type: @vortex" + sticky + "}"}}),
      "vortices flow around bodies, each of them one box, ball or polygon, and the wall 'a' is "
      "none"}};
 INSTANTIATE_TEST_SUITE_P(Table, WallThatVorticesCannotHave, testing::ValuesIn(walls), by_label);
@@ -155,7 +158,7 @@ Outcome outcome_of(const std::string& scenario) {
 TEST(VortexOfSmallCores, IsWarnedOf) {
   const Outcome outcome = outcome_of(model("core: {overlap: 0.5}"));
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_NE(outcome.errors.find(":5:23: warning: cores of 0.5 spacings do not overlap"),
+  EXPECT_NE(outcome.errors.find(":5:29: warning: cores of 0.5 spacings do not overlap"),
             std::string::npos)
       << outcome.errors;
 }
