@@ -11,10 +11,10 @@ NOT_OBSERVED = ("time", "step", "kinetic_energy", "potential_energy", "compressi
                 "viscous_power", "highest_speed", "removed",
                 "volume_error", "divergence", "iterations", "residual", "solver_share",
                 "angular_momentum", "vortices", "impulse_x", "impulse_y",
-                "angular_impulse")  # nor what is conserved
+                "angular_impulse", "sheet_circulation")  # nor what is conserved
 VORTEX_UNITS = {"hamiltonian": "m⁴/s²", "second_moment": "m²", "separation": "m", "angle": "rad",
                 "rotation_rate": "1/s", "magnitude": "m³/s",
-                "virial_ratio": "1"}  # of readings that are what their names say
+                "virial_ratio": "1", "slip": "m/s"}  # of readings that are what their names say
 OUTLIERS = 0.2  # per cent of the particles at each end whose colour may be that of the limit
 STRAGGLERS = 2  # per cent of bodies beyond each end of an axis that are not shown
 SLANT = 0.35  # how far one metre away goes up and to the right in the view of three dimensions
@@ -56,6 +56,7 @@ class Panel:
         self.chosen, self.places, self.depth = chosen, places[chosen], depth
         self.axes_names, self.radius = axes_names, snapshot.spacing / 2
         self.fluid = snapshot.fluid[chosen]
+        self.outlines = snapshot.outlines
         lower, upper = window(snapshot, self.places)
         lower, upper = lower - self.radius, upper + self.radius
         if "vorticity" in snapshot.fields:  # a few vortices may stand in a line
@@ -70,6 +71,8 @@ class Panel:
         limits, own = colour_limits(name, values[self.chosen][self.fluid]), values[self.chosen]
         self.show(axes, ~self.fluid, np.zeros(len(own)), ListedColormap(["0.6"]), (0, 1))
         drawn = self.show(axes, self.fluid, own, COLOURS[name], limits)
+        for corners in self.outlines:
+            axes.fill(*corners.T, color="0.6", linewidth=0)
         bar = axes.figure.colorbar(drawn, cax=axes.inset_axes((1.02, 0, 0.025, 1)),
                                    extend="max" if name == "speed" else "both", extendfrac=0.03)
         bar.set_label(label(name, unit, summary))

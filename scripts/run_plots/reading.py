@@ -30,7 +30,8 @@ def read_snapshot(path):
 
 
 class FlowSnapshot:
-    """The particles of a run in space: places, some fields, and which of them are fluid."""
+    """The particles of a run in space: places, some fields, and which of them are fluid;
+    corners of the bodies that have no particles."""
 
     def __init__(self, path, names):
         with h5py.File(path) as file:
@@ -41,6 +42,8 @@ class FlowSnapshot:
             kinds = read_text(group.attrs, "body_kinds").splitlines()
             fluid = np.array([kind == "fluid" for kind in kinds])
             self.fluid = fluid[state["body"][...].astype(int)]
+            outlines = group.get("outlines", {})
+            self.outlines = [outlines[number][...] for number in outlines]
             self.fields = {name: state[name][...] for name in names if name in state}
             self.units = {name: read_text(state[name].attrs, "unit") for name in self.fields}
 

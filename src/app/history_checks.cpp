@@ -47,9 +47,15 @@ double largest_error(const std::vector<double>& values, const std::vector<double
 
 double error_of_formula(const HistoryCheck& check, const Curve& curve, const Constants& constants) {
   const Expression formula(check.formula, constants);
-  std::vector<double> expected;
-  for (const double t : curve.time) expected.push_back(formula({.t = t}));
-  return largest_error({curve.value.begin(), curve.value.end()}, expected, check.relative_to);
+  std::vector<double> values, expected;
+  for (std::size_t k = 0; k < curve.time.size(); ++k) {
+    const double t = curve.time[k];
+    if ((check.from && t < *check.from) || (check.until && t > *check.until)) continue;
+    values.push_back(curve.value[k]);
+    expected.push_back(formula({.t = t}));
+  }
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();  // nothing to hold
+  return largest_error(values, expected, check.relative_to);
 }
 
 /// Over the points of the reference that lie within the run.

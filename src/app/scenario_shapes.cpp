@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "mote/geometry/ball.hpp"
 #include "mote/geometry/box.hpp"
 #include "mote/geometry/formula_shape.hpp"
 #include "mote/geometry/polygon.hpp"
 #include "mote/particles/failure.hpp"
+#include "mote/walls/outline.hpp"
 
 namespace mote {
 namespace {
@@ -50,7 +53,31 @@ SharedShape shape_of(const Scenario& scenario, const ShapeSection& section,
   return formula_of(scenario, section);
 }
 
+std::vector<Triple> round_outline(const ShapeSection& ball, double side) {
+  const double quarter = std::numbers::pi * ball.radius / 2;
+  const auto sides = 4 * static_cast<Index>(std::ceil(quarter / side));
+  std::vector<Triple> corners;
+  for (const Complex corner :
+       circle_outline({ball.centre[0], ball.centre[1]}, ball.radius, sides).corners)
+    corners.push_back({corner.real(), corner.imag(), 0});
+  return corners;
+}
+
 }  // namespace
+
+std::vector<Triple> outline_of(const RegionSection& region, double side) {
+  if (region.shapes.size() != 1 || !region.except.empty()) return {};
+  const ShapeSection& shape = region.shapes.front();
+  if (shape.type == "ball") return round_outline(shape, side);
+  if (shape.type == "box")
+    return {{shape.lower[0], shape.lower[1], 0},
+            {shape.upper[0], shape.lower[1], 0},
+            {shape.upper[0], shape.upper[1], 0},
+            {shape.lower[0], shape.upper[1], 0}};
+  std::vector<Triple> corners;
+  for (std::size_t k = 0; k < shape.x.size(); ++k) corners.push_back({shape.x[k], shape.y[k], 0});
+  return corners;
+}
 
 SharedShape union_of(const Scenario& scenario, const std::vector<ShapeSection>& sections,
                      const std::string& key) {

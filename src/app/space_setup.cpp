@@ -48,6 +48,9 @@ void add_regions(const Scenario& scenario, SpacePlan& plan) {
     const std::string key = fmt::format("regions.{}", k);
     Region region{.body = {.name = section.name}, .key = key};
     if (section.is_wall()) region.body = wall_body(scenario, section, section.name);
+    if (const auto side = scenario.model->longest_side_of_walls();
+        side && section.is_wall() && plan.dimension == 2)
+      region.body.outline = outline_of(section, *side * plan.spacing);
     region.whole = union_of(scenario, section.shapes, key + ".shapes");
     if (!section.except.empty())
       region.without = union_of(scenario, section.except, key + ".except");
@@ -114,7 +117,8 @@ SpacePlan space_plan(const Scenario& scenario) {
   std::ranges::copy(domain.upper, plan.upper.begin());
   for (const std::string& axis : domain.periodic) plan.periodic[axis.front() - 'x'] = true;
   plan.spacing = *scenario.particles.spacing;
-  plan.reach = scenario.differential_operator.made->neighbour_rule().reach();
+  if (!scenario.model->longest_side_of_walls())
+    plan.reach = scenario.differential_operator.made->neighbour_rule().reach();
   for (const SideWallSection& wall : domain.walls) {
     const auto [axis, upper] = side_named(wall.side);
     plan.walls.push_back({wall_body(scenario, wall, wall.name), {axis, upper}});

@@ -165,6 +165,9 @@ class ModelRecipe {
   virtual bool step_suffices() const { return false; }
   /// Whether its particles have what operators that need circulation need.
   virtual bool has_circulation() const { return false; }
+  /// How long the sides of an outline of a wall may be where that is what the model needs, and not
+  /// particles in the wall as deep as the operator reaches. [spacings]
+  virtual std::optional<double> longest_side_of_walls() const { return {}; }
   virtual std::vector<InitialField> initial_fields(int dimension) const = 0;
   /// The names of what `Model::conserved` will report.
   virtual std::vector<std::string> conserved_names(int dimension) const = 0;

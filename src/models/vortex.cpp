@@ -25,6 +25,8 @@ Vortex<D>::Vortex(const VortexOptions& options, SpaceSetup setup)
       diffusion_(vortex_diffusion<D>(options, setup)),
       free_stream_(options.free_stream, setup),
       core_at_start_(vortices_.core_size()) {
+  if constexpr (D == 2)
+    if (vortices_.has_walls()) bodies_ = std::make_unique<VortexBodies>(options, vortices_);
   if (vortices_.in_a_box()) need_no_net_circulation();
   bind();
   update_dependent_fields();
@@ -37,7 +39,7 @@ void Vortex<D>::learn_from_start() {
   if constexpr (D == 2) {
     const VortexMoments m = moments();
     has_circulation_ = std::abs(m.circulation) > small_net * m.magnitude;
-    is_a_pair_ = vortices_.count() == 2 && options_.remesh_every == 0;
+    is_a_pair_ = vortices_.count() == 2 && options_.remesh_every == 0 && !bodies_;
   }
 }
 
@@ -91,7 +93,9 @@ void Vortex<D>::update_drift_rates(double time) {
   if (known) return;
   induced_->at_sources(sources(), {vortices_.velocity(), gradient_});
   free_stream_.add(vortices_.position(), time, vortices_.velocity());
-  if (D == 3) free_stream_.add_gradient(vortices_.position(), time, gradient_);
+  if constexpr (D == 3) free_stream_.add_gradient(vortices_.position(), time, gradient_);
+  if constexpr (D == 2)
+    if (bodies_) bodies_->add_velocity(vortices_, time, vortices_.velocity());
   summed_.time = time;
   summed_.core_size = vortices_.core_size();
   summed_.position.assign(vortices_.position().begin(), vortices_.position().end());
@@ -126,13 +130,16 @@ void Vortex<D>::add_stretching() {
 }
 
 template <int D>
-void Vortex<D>::begin_step(double time, double /*step*/) {
+void Vortex<D>::begin_step(double time, double step) {
   time_ = time;
   core_at_start_ = vortices_.core_size();
+  if constexpr (D == 2)
+    if (bodies_) bodies_->begin_step(vortices_, time, step);
 }
 
 template <int D>
 void Vortex<D>::end_step(double time, double step) {
+  if (bodies_) return end_step_beside_walls(time, step);
   vortices_.spread_cores(core_size_at(time + step));
   time_ = time + step;
   core_at_start_ = vortices_.core_size();
@@ -141,6 +148,14 @@ void Vortex<D>::end_step(double time, double step) {
   for (double& age : vortices_.age()) ++age;
   inspect();
   if (options_.remesh_every > 0 && vortices_.age().front() >= options_.remesh_every) remesh();
+}
+
+template <int D>
+void Vortex<D>::end_step_beside_walls(double time, double step) {
+  inspect();
+  if constexpr (D == 2) bodies_->end_step(vortices_, time, step);
+  time_ = time + step;
+  bind();
 }
 
 template <int D>
@@ -179,10 +194,11 @@ void Vortex<D>::update_dependent_fields() {
   update_drift_rates(time_);
 }
 
-/// The vorticity of the blobs, cores and all; of points, their circulation over their volume.
+/// The vorticity of the blobs, cores and all; of points, and beside walls, where cores would reach
+/// into the bodies, their circulation over their volume.
 template <int D>
 void Vortex<D>::complete_fields() {
-  if (options_.core != "point")
+  if (options_.core != "point" && !bodies_)
     return induced_->vorticity_at_sources(sources(), vortices_.vorticity());
   for (std::size_t k = 0; k < vortices_.vorticity().size(); ++k)
     vortices_.vorticity()[k] = vortices_.density(k / vortices_.strengths, k % vortices_.strengths);

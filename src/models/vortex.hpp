@@ -8,6 +8,7 @@
 #include "mote/models/free_stream.hpp"
 #include "mote/models/induced_velocity.hpp"
 #include "mote/models/remeshing.hpp"
+#include "mote/models/vortex_bodies.hpp"
 #include "mote/models/vortex_diffusion.hpp"
 #include "mote/models/vortex_moments.hpp"
 #include "mote/models/vortex_space_moments.hpp"
@@ -19,7 +20,8 @@ namespace mote {
 ///   d alpha_i/dt = (grad u)^T alpha_i  or  (alpha_i . grad) u
 /// (Winckelmans & Leonard 1993), the transposed and the classical form. Friction changes
 /// circulations, sizes or places
-/// (`VortexDiffusion`); every so many steps the vortices may be put back on a lattice.
+/// (`VortexDiffusion`); every so many steps the vortices may be put back on a lattice. Where there
+/// are walls, in the plane, they do both (`VortexBodies`), and the flow may start without a vortex.
 template <int D>
 class Vortex final : public Model {
  public:
@@ -33,7 +35,7 @@ class Vortex final : public Model {
   std::span<const Evolving> drifted() override { return drifted_; }
   std::span<const Evolving> kicked() override { return kicked_; }
   bool drifts_freely() const override { return false; }
-  bool compensates() const override { return options_.remesh_every == 0; }
+  bool compensates() const override { return options_.remesh_every == 0 && !bodies_; }
   void prepare(double /*time*/) override {}
   void update_drift_rates(double time) override;
   void update_kick_rates(double time) override;
@@ -53,6 +55,8 @@ class Vortex final : public Model {
   PairWork pair_work() const override { return diffusion_->pair_work(); }
   std::vector<std::string> remarks() const override;
   std::span<const Body> bodies() const override { return vortices_.start().bodies; }
+  Triple force_on(std::size_t body) const override;
+  std::vector<std::string> warnings() const override;
   double spacing() const override { return vortices_.start().spacing; }
   Parameters parameters() const override;
 
@@ -62,6 +66,7 @@ class Vortex final : public Model {
   void need_no_net_circulation();
   double core_size_at(double time) const;
   void remesh();
+  void end_step_beside_walls(double time, double step);
   VortexLatticeOptions lattice() const;
   void add_stretching();
   std::conditional_t<D == 2, VortexMoments, SpaceVortexMoments> moments() const;
@@ -74,6 +79,7 @@ class Vortex final : public Model {
   std::unique_ptr<InducedVelocity<D>> induced_;
   std::unique_ptr<VortexDiffusion<D>> diffusion_;
   FreeStream<D> free_stream_;
+  std::unique_ptr<VortexBodies> bodies_;  ///< null without walls
   std::vector<double> circulation_rate_;
   std::vector<double> gradient_;  ///< of the velocity, in space
   std::vector<Evolving> drifted_, kicked_;

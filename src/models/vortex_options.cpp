@@ -1,7 +1,10 @@
 #include "mote/models/vortex_options.hpp"
 
+#include <algorithm>
+
 #include "mote/models/induced_velocity.hpp"
 #include "mote/models/vortex.hpp"
+#include "mote/models/vortex_outlines.hpp"
 #include "mote/particles/failure.hpp"
 
 namespace mote {
@@ -100,15 +103,24 @@ void VortexOptions::describe(Description& d) {
   d.section({"sum", "how velocities are summed in an unbounded fluid"}, [&] {
     d.choice({"method", "which way"}, sum, sums);
     d.number({"tolerance", "of the multipole method: error over the largest velocity"}, tolerance,
-             {1e-13, 1e-2});
+             {1e-13, 1e-3});
   });
   d.number({"kinematic_viscosity", "nu"}, kinematic_viscosity, not_negative);
-  d.section({"diffusion", "how it spreads vorticity"}, [&] { describe_diffusion(d, *this); });
+  d.section({"diffusion",
+             "how it spreads vorticity; beside walls there is one way alone: each step ends with "
+             "vortices on the nodes of a lattice that walls cut, which exchange circulation"},
+            [&] { describe_diffusion(d, *this); });
   d.section({"remesh", "putting the vortices back on a lattice from the domain's lower corner on"},
             [&] { describe_remeshing(d, *this); });
+  d.number({"panel_length",
+            "of walls, at most, in spacings: walls are regions that are one box, ball or polygon, "
+            "made of panels along the outline, which stand still and where the fluid sticks"},
+           panel_length, {0.5, 10});
   d.number({"threshold",
             "vorticity over its highest below which the start and remeshing leave a place empty; "
-            "the circulation and impulses that this takes are given back to the others"},
+            "the circulation and impulses that this takes are given back to the others, beside "
+            "walls to the walls (there forces "
+            "want 1e-6 or less)"},
            threshold, {0, 0.1});
   d.expressions({"free_stream",
                  "velocity far away in x, y and t, one formula a dimension, free of divergence and "
@@ -125,7 +137,8 @@ void VortexOptions::describe(Description& d) {
                  stretching, stretchings);
 }
 
-void VortexOptions::check(int dimension) const {
+void VortexOptions::check(int dimension, bool has_walls) const {
+  if (dimension == 3 && has_walls) throw InputError("regions", "vortices in space know no walls");
   if (dimension == 2 && stretching) refuse("stretching", "in the plane nothing stretches vortices");
   if (dimension == 2 && !rings.empty()) refuse("rings", "vortex rings need 3 dimensions");
   if (dimension == 3 && !vortices.empty())
@@ -136,7 +149,8 @@ void VortexOptions::check(int dimension) const {
     refuse("core.size", "'size' and 'overlap' both say how large cores are");
   if (diffusion != Diffusion::none && kinematic_viscosity == 0)
     refuse("diffusion.type", "nothing diffuses at the viscosity 0: give 'kinematic_viscosity'");
-  if (diffusion == Diffusion::none && kinematic_viscosity > 0)
+  if (has_walls) refuse_options_beside_walls(*this);
+  if (diffusion == Diffusion::none && kinematic_viscosity > 0 && !has_walls)
     refuse("kinematic_viscosity", "the viscosity has no effect without a type of 'diffusion'");
   if (diffusion == Diffusion::core_spreading && core != "gauss")
     refuse("core.name",
@@ -167,7 +181,9 @@ std::vector<std::string> VortexRecipe::conserved_names(int dimension) const {
 }
 
 std::unique_ptr<Model> VortexRecipe::make(SpaceSetup setup) const {
-  options.check(setup.dimension);
+  options.check(setup.dimension, std::ranges::any_of(setup.bodies, [](const Body& body) {
+                  return body.kind == BodyKind::wall;
+                }));
   if (setup.dimension == 3) return std::make_unique<Vortex<3>>(options, std::move(setup));
   return std::make_unique<Vortex<2>>(options, std::move(setup));
 }

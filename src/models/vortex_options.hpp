@@ -50,14 +50,16 @@ struct VortexOptions {
   Remeshing remeshing = Remeshing::m4_prime;
   double threshold = 1e-8;
 
+  double panel_length = 2.5;  ///< of walls, at most [spacings]
+
   std::vector<std::string> free_stream;
   std::vector<SingleVortex> vortices;
   std::vector<VortexRing> rings;
   std::optional<Stretching> stretching;
 
   void describe(Description& description);
-  /// Refuses what does not go together. Throws InputError.
-  void check(int dimension) const;
+  /// Refuses what does not go together in a fluid with walls, or without. Throws InputError.
+  void check(int dimension, bool has_walls) const;
   bool stretches_as(Stretching form) const {
     return stretching.value_or(Stretching::transposed) == form;
   }
@@ -70,14 +72,15 @@ class VortexRecipe final : public ModelRecipe {
  public:
   static constexpr std::string_view name = "vortex";
   static constexpr std::string_view summary =
-      "vortex blobs in the unbounded plane or space, or in a plane box that is periodic both ways "
-      "(VBM)";
+      "vortex blobs in the unbounded plane, past bodies if there are any, or space, or in a plane "
+      "box that is periodic both ways (VBM)";
 
   VortexOptions options;
 
   bool lives_on_a_line() const override { return false; }
   bool step_suffices() const override { return true; }
   bool has_circulation() const override { return true; }
+  std::optional<double> longest_side_of_walls() const override { return options.panel_length; }
   void describe(Description& description) override { options.describe(description); }
   std::vector<InitialField> initial_fields(int dimension) const override;
   std::vector<std::string> conserved_names(int dimension) const override;

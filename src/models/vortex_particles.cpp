@@ -11,13 +11,6 @@
 namespace mote {
 namespace {
 
-void refuse_walls(const SpaceStart& start) {
-  for (const Body& body : start.bodies)
-    if (body.kind == BodyKind::wall)
-      throw InputError("model.type",
-                       fmt::format("vortices know no walls, and '{}' is one", body.name));
-}
-
 double magnitude(std::span<const double> strength) {
   if (strength.size() == 1) return std::abs(strength[0]);
   return Vec<3>::Map(strength.data()).norm();
@@ -28,7 +21,6 @@ double magnitude(std::span<const double> strength) {
 template <int D>
 VortexParticles<D>::VortexParticles(const VortexOptions& options, SpaceStart start)
     : start_(std::move(start)), cloud_(D, 0) {
-  refuse_walls(start_);
   const FieldKind kind = D == 2 ? FieldKind::scalar : FieldKind::vector;
   cloud_.add("velocity", FieldKind::vector, "m/s");
   cloud_.add("circulation", kind, D == 2 ? "m²/s" : "m³/s");
@@ -42,7 +34,7 @@ VortexParticles<D>::VortexParticles(const VortexOptions& options, SpaceStart sta
   add_rings(options, vortices);
   add_blobs(options.threshold, vortices);
   add_single(options, vortices);
-  if (vortices.count() == 0)
+  if (vortices.count() == 0 && !has_walls())
     throw InputError(D == 2 ? "initial.vorticity" : "initial.vorticity_x",
                      fmt::format("there is no vortex: neither has 'initial' a vorticity, nor the "
                                  "model '{}'",
@@ -83,6 +75,7 @@ void VortexParticles<D>::add_blobs(double threshold, VortexList<D>& vortices) co
   std::vector<std::array<double, strengths>> circulation(start_.body.size());
   std::vector<double> size(circulation.size());
   for (std::size_t i = 0; i < circulation.size(); ++i) {
+    if (start_.bodies[static_cast<std::size_t>(start_.body[i])].kind == BodyKind::wall) break;
     circulation[i] = initial_vorticity(i);
     for (double& component : circulation[i]) component *= cell;
     size[i] = magnitude(circulation[i]);
@@ -124,7 +117,13 @@ void VortexParticles<D>::add_single(const VortexOptions& options, VortexList<D>&
 }
 
 template <int D>
+bool VortexParticles<D>::has_walls() const {
+  return std::ranges::any_of(start_.bodies, [](const Body& b) { return b.kind == BodyKind::wall; });
+}
+
+template <int D>
 void VortexParticles<D>::spread_cores(double size) {
+  size_of_none_ = size;
   std::ranges::fill(core_size_, size);
 }
 
@@ -169,7 +168,7 @@ void VortexParticles<D>::wrap() {
 template <int D>
 void VortexParticles<D>::restore(const Cloud& state) {
   for (const Field& field : cloud_.fields())
-    if (!state.has(field.name) || state.count() == 0)
+    if (!state.has(field.name) || (state.count() == 0 && !has_walls()))
       throw InputError("this snapshot lacks vortices or the field " + field.name);
   cloud_.resize(state.count());
   bind();

@@ -34,13 +34,15 @@ class VortexParticles {
   static constexpr std::size_t strengths = VortexList<D>::strengths;
 
   /// Blobs where the initial vorticity is above the threshold, and the vortices given by
-  /// themselves. Throws InputError for walls, two vortices on one place, or no vortex at all.
+  /// themselves. Throws InputError for two vortices on one place, or neither a vortex nor a wall.
   VortexParticles(const VortexOptions& options, SpaceStart start);
 
   Cloud& cloud() { return cloud_; }
   const Cloud& cloud() const { return cloud_; }
   const SpaceStart& start() const { return start_; }
   Index count() const { return cloud_.count(); }
+  /// Whether there are bodies: then the start may be without a vortex.
+  bool has_walls() const;
   bool in_a_box() const { return start_.periodic[0]; }
 
   std::span<double> position() const { return position_; }
@@ -54,7 +56,7 @@ class VortexParticles {
   Vec<D> place(Index i) const { return Vec<D>::Map(position_.data() + std::ptrdiff_t{i} * D); }
 
   /// Size of the cores, the same for all. It is part of the state where cores spread.
-  double core_size() const { return count() > 0 ? core_size_.front() : 0; }
+  double core_size() const { return count() > 0 ? core_size_.front() : size_of_none_; }
   void spread_cores(double size);
 
   /// Circulation over volume of vortex i, component c.
@@ -83,6 +85,7 @@ class VortexParticles {
   Cloud cloud_;
   std::span<double> position_, velocity_, circulation_, vorticity_, volume_, core_size_, age_,
       ring_;
+  double size_of_none_ = 0;  ///< of the cores that the next vortices will have
 };
 
 extern template class VortexParticles<2>;

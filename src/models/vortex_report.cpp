@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "mote/models/vortex.hpp"
 
@@ -13,7 +15,7 @@ VortexMoments Vortex<2>::moments() const {
 
 template <int D>
 bool Vortex<D>::keeps_impulse() const {
-  return !vortices_.in_a_box() && !free_stream_.exists() &&
+  return !vortices_.in_a_box() && !free_stream_.exists() && !bodies_ &&
          options_.diffusion != Diffusion::random_walk;
 }
 
@@ -58,6 +60,10 @@ std::vector<Reading> Vortex<2>::readings() const {
     readings.push_back({"impulse_y", -m.first[0]});
   }
   if (!keeps_angular_impulse()) readings.push_back({"angular_impulse", -0.5 * m.second.trace()});
+  if (bodies_) {
+    std::ranges::move(bodies_->readings(), std::back_inserter(readings));
+    return readings;
+  }
   if (const auto hamiltonian = induced_->hamiltonian(sources()))
     readings.push_back({"hamiltonian", *hamiltonian});
   if (is_a_pair_) {
@@ -96,12 +102,31 @@ std::vector<std::string> Vortex<D>::remarks() const {
     remarks.push_back(
         "The fluid has no bounds: the domain is where the lattice is, and vortices "
         "that leave it go on.");
+  if (bodies_)
+    remarks.push_back(fmt::format(
+        "Walls are {} panels; forces are over the density, the mean of the step that ends. What a "
+        "wall gives off takes {:.3g} to reach the vortices beside it.",
+        bodies_->panels(), bodies_->settling_time()));
   if (course_.remeshings > 0)
     remarks.push_back(fmt::format(
         "Put on a lattice {} times; at most {:.2g} of the circulation's magnitude was below the "
         "threshold, and given back with its impulses.",
         course_.remeshings, course_.dropped));
   return remarks;
+}
+
+template <int D>
+std::vector<std::string> Vortex<D>::warnings() const {
+  if (!bodies_ || !bodies_->has_hurried()) return {};
+  return {
+      fmt::format("steps are shorter than {:.3g}, in which what walls give off reaches the "
+                  "vortices beside them: a flow that starts at once looks older by as much",
+                  bodies_->settling_time())};
+}
+
+template <int D>
+Triple Vortex<D>::force_on(std::size_t body) const {
+  return bodies_ ? bodies_->force_on(body) : Triple{};
 }
 
 template <int D>

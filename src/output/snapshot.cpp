@@ -70,6 +70,21 @@ std::string checksum(const Cloud& cloud) {
   return fmt::format("{:016x}", hash);
 }
 
+/// The corners of bodies that have no particles, by the number of the body.
+void write_outlines(hid_t group, const Scene& scene) {
+  const auto has_outline = [](const Body& body) { return !body.outline.empty(); };
+  if (std::ranges::none_of(scene.bodies, has_outline)) return;
+  const hdf5::Handle outlines = hdf5::create_group(group, "outlines");
+  for (std::size_t number = 0; number < scene.bodies.size(); ++number) {
+    std::vector<double> corners;
+    for (const Triple& corner : scene.bodies[number].outline)
+      corners.insert(corners.end(), {corner[0], corner[1]});
+    if (!corners.empty())
+      hdf5::write(outlines, std::to_string(number), H5T_NATIVE_DOUBLE, corners.data(),
+                  corners.size() / 2, 2);
+  }
+}
+
 /// Names and kinds of bodies are one string each, a line a body.
 void write_scene(hid_t group, const Scene& scene) {
   std::string names, kinds;
@@ -80,6 +95,7 @@ void write_scene(hid_t group, const Scene& scene) {
   hdf5::write_attribute(group, "spacing", scene.spacing);
   hdf5::write_attribute(group, "body_names", names);
   hdf5::write_attribute(group, "body_kinds", kinds);
+  write_outlines(group, scene);
 }
 
 /// The restart group: attributes, and each field with its components; scalars are hard links to

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "mote/particles/vector.hpp"
 
@@ -17,6 +18,9 @@ struct Body {
   bool slips = false;                      ///< a wall along which the fluid slips freely
   std::function<Triple(double)> velocity;  ///< of a wall, by time; empty: it stands still
   bool travels = true;  ///< whether the wall's particles go along with its velocity, or only drag
+  /// Corners of a wall in the plane, in order either way round, for models that need no particles
+  /// in it; empty where the wall is no box, ball or polygon.
+  std::vector<Triple> outline{};
 };
 
 /// Where a wall particle is seen from the fluid.

@@ -18,6 +18,9 @@ void describe_one(Description& d, HistoryCheck& check) {
   d.number({"most", "that it may be"}, check.most);
   d.number({"least", "that it must be"}, check.least);
   d.expression({"formula", "in t, that all rows must follow"}, check.formula);
+  d.number({"from", "time from which they must; default: the first row"}, check.from, not_negative);
+  d.number({"until", "time until which they must; default: the last row"}, check.until,
+           not_negative);
   d.number({"decay_rate", "r of exp(-r t), by which it must fall from the first row to the last"},
            check.decay_rate);
   d.text({"file", "CSV file beside this one with a curve that it must follow"}, check.file);
@@ -44,6 +47,10 @@ std::string problem_of(const HistoryCheck& check) {
   if (!check.has_bounds() && !check.error) return "this check needs the largest relative 'error'";
   if (check.at && !check.value && !check.has_bounds())
     return "'at' has a meaning for a value, and for 'most' and 'least' alone";
+  if ((check.from || check.until) && check.formula.empty())
+    return "'from' and 'until' have a meaning for a formula alone";
+  if (check.from && check.until && *check.from > *check.until)
+    return fmt::format("rows from {} until {} are none", *check.from, *check.until);
   if (check.value == 0.0) return "nothing is relative to 0: give 'most' and 'least' in place of it";
   if (check.decay_rate == 0.0) return "nothing is relative to the rate 0: give a 'value'";
   return "";
@@ -77,9 +84,13 @@ void check_history_checks(const std::vector<HistoryCheck>& checks, double end,
     std::string problem = problem_of(check);
     if (problem.empty() && check.has_curve()) problem = problem_of_curve(check, end);
     if (!problem.empty()) throw LocatedError(document.locate(section), problem);
-    if (check.at && *check.at > end)
-      throw LocatedError(document.locate(section + ".at"),
-                         fmt::format("the run ends at t = {}, before this", end));
+    const auto refuse_after_end = [&](const char* key, const std::optional<double>& time) {
+      if (time && *time > end)
+        throw LocatedError(document.locate(section + key),
+                           fmt::format("the run ends at t = {}, before this", end));
+    };
+    refuse_after_end(".at", check.at);
+    refuse_after_end(".from", check.from);
     if (check.formula.empty()) continue;
     const Expression formula(check.formula, constants);
     for (const char* place : {"x", "y", "z", "r"})

@@ -17,6 +17,8 @@ struct HistoryCheck {
   std::optional<double> at;  ///< time at which a value or a bound is meant; none: at the end
   std::optional<double> value, most, least, decay_rate;
   std::string formula;
+  std::optional<double> from, until;  ///< where rows must follow the formula; none: from the first,
+                                      ///< until the last
   /// The curve: columns x and y of a CSV file, or numbers. Numbers come first: with them the file
   /// is where they are from, which is how run.yaml has it.
   std::string file, x, y;

@@ -54,6 +54,21 @@ TEST(HistoryChecks, TakeAFormulaOverAllRows) {
       1.0 / 8, 1e-15);
 }
 
+TEST(HistoryChecks, TakeAFormulaOverSomeRowsAndNeverOverNone) {
+  const HistoryCheck check{.quantity = "energy", .formula = "E0 - 4*t", .error = 1};
+  const auto error = [&](std::optional<double> from, std::optional<double> until) {
+    HistoryCheck part = check;
+    part.from = from;
+    part.until = until;
+    return result_of(part);
+  };
+  EXPECT_TRUE(std::isinf(error({}, {})));  // 2 against 0
+  EXPECT_EQ(error({}, 1), 0);
+  EXPECT_EQ(error(0.5, 1.5), 0);
+  EXPECT_TRUE(std::isinf(error(2, {})));
+  EXPECT_TRUE(std::isnan(error(0.4, 0.6)));
+}
+
 TEST(HistoryChecks, TakeARateOfDecay) {
   const double rate = std::log(2);
   EXPECT_NEAR(result_of({.quantity = "energy", .decay_rate = rate, .error = 1}), 0, 1e-15);

@@ -42,7 +42,7 @@ dimension: 2
 domain: {lower: [-1, -1], upper: [1, 1]}
 particles: {spacing: 0.025}
 model:
-  {type: vortex, core: {name: algebraic.4}, kinematic_viscosity: 0.001,
+  {type: vortex, sum: {method: direct}, core: {name: algebraic.4}, kinematic_viscosity: 0.001,
    diffusion: {type: random_walk, seed: 3}}
 initial: {vorticity: "10*exp(-6*(x^2 + 3*y^2))"}
 operator: sph.gauss
@@ -99,6 +99,60 @@ time: {integrator: runge_kutta_4, step: 0.05, end: 0.2}
 output: {every: 0.05, picture: false}
 )yaml";
 
+/// Bodies that a stream meets at once.
+constexpr const char* beside_walls = R"yaml(name: beside_walls
+dimension: 2
+domain: {lower: [-1, -1], upper: [1, 1]}
+particles: {spacing: 0.05}
+regions:
+  - {name: ball, type: wall, shapes: [{type: ball, centre: [-0.5, 0], radius: 0.2}]}
+  - {name: wedge, type: wall, shapes: [{type: polygon, x: [0.2, 0.7, 0.7], y: [0, -0.3, 0.4]}]}
+model:
+  type: vortex
+  core: {name: algebraic.4, overlap: 0.7}
+  kinematic_viscosity: 0.01
+  threshold: 1e-6
+  free_stream: ["1", "0.1*t"]
+operator: sph.gauss
+time: {integrator: predictor_corrector, step: 0.05, end: 0.4}
+probes: [{name: on_ball, type: force, wall: ball}]
+output: {every: 0.1, history: 1, picture: false}
+)yaml";
+
+/// A cylinder at Re 1000 that a stream meets at once, and what its drag is (Bar-Lev & Yang 1975).
+constexpr const char* started_cylinder = R"yaml(name: started_cylinder
+dimension: 2
+constants: {Re: 1000, nu: 2/Re, dt: 0.01}
+domain: {lower: [-1.5, -1.5], upper: [1.5, 1.5]}
+particles: {spacing: 1/80}
+regions: [{name: cylinder, type: wall, shapes: [{type: ball, centre: [0, 0], radius: 1}]}]
+model:
+  type: vortex
+  core: {name: algebraic.4, overlap: 0.7}
+  kinematic_viscosity: nu
+  threshold: 1e-6
+  free_stream: ["1", "0"]
+operator: sph.gauss
+time: {integrator: predictor_corrector, step: dt, end: 0.1}
+output: {every: 0.1, history: 1, picture: false}
+check:
+  history:
+    - {quantity: force_x, from: 0.035, formula: "4*sqrt(2*pi/(Re*(t - dt/2)))", error: 0.05}
+    - {quantity: force_y, most: 1e-8, least: -1e-8}
+)yaml";
+
+struct StartedCylinder : FlowRuns {};
+
+TEST_F(StartedCylinder, HasTheDragOfItsViscosity) { run(started_cylinder, "out"); }
+
+TEST_F(StartedCylinder, HasNotThatOfAnother) {
+  write(folder_ / "scenario.yaml", started_cylinder);
+  const Outcome outcome =
+      mote({"run", (folder_ / "scenario.yaml").string(), "--out", (folder_ / "out").string(),
+            "--quiet", "--set", "model.kinematic_viscosity=1.2*nu"});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.errors;
+}
+
 struct VortexRun : FlowRuns, testing::WithParamInterface<const char*> {};
 
 TEST_P(VortexRun, HasTheSameBitsForAnyNumberOfThreads) {
@@ -121,7 +175,8 @@ TEST_P(VortexRun, HasOtherBitsWithAnotherThreshold) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenarios, VortexRun,
-                         testing::Values(exchanging, boxed, walking, spreading, rings, formulas));
+                         testing::Values(exchanging, boxed, walking, spreading, rings, formulas,
+                                         beside_walls));
 
 }  // namespace
 }  // namespace mote::test

@@ -74,8 +74,9 @@ const std::vector<ScenarioCase> vortices{
      "vortices of a periodic box are points or have the core 'gauss'"},
     {"walls",
      vortex({{3, "domain: {lower: [-1, -1], upper: [1, 1], walls: [{side: x_lower}]}"},
-             {5, "model: {type: @vortex}"}}),
-     "vortices know no walls, and 'x_lower' is one"},
+             {5, "model: {type: @vortex, kinematic_viscosity: 0.1}"}}),
+     "vortices flow around bodies, each of them one box, ball or polygon, and the wall 'x_lower' "
+     "is none"},
     {"operator_of_circulation_elsewhere",
      vortex({{5, "model: {type: weakly_compressible, sound_speed: 10}"},
              {6, ""},
@@ -162,6 +163,62 @@ TEST(VortexInSpace, Runs) {
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.errors, "");
 }
+
+const std::string ball =
+    "{name: a, type: wall, shapes: [{type: ball, centre: [0, 0], radius: 0.5}]}";
+
+/// The good vortex beside walls with these options of the model.
+std::string beside(const std::string& walls, const std::string& options) {
+  return vortex({{3, "domain: {lower: [-1, -1], upper: [1, 1]}\nregions: " + walls},
+                 {5, "model: {type: vortex" + options + "}"}});
+}
+
+const std::string sticky = ", kinematic_viscosity: 0.1";
+
+std::string box_of(const std::string& lower, const std::string& upper) {
+  return "{type: box, lower: " + lower + ", upper: " + upper + "}";
+}
+
+class WallThatVorticesCannotHave : public BadScenario {};
+TEST_P(WallThatVorticesCannotHave, IsRefused) { expect_refused(); }
+
+const std::vector<ScenarioCase> walls{
+    {"thin",
+     beside("@[{name: a, type: wall, shapes: [" + box_of("[-0.5, -0.13]", "[0.5, 0.13]") + "]}]",
+            sticky),
+     "the wall 'a' is 2.6 spacings thick, and the lattice needs 3 at least"},
+    {"touching",
+     beside("@[{name: a, type: wall, shapes: [" + box_of("[-0.5, 0]", "[0, 0.5]") +
+                "]}, {name: b, type: wall, shapes: [" + box_of("[0, 0]", "[0.5, 0.5]") + "]}]",
+            sticky),
+     "the walls 'a' and 'b' are 0 spacings apart, and the lattice needs 3 at least"},
+    {"moving",
+     beside("@[{name: a, type: wall, velocity: [\"1\", \"0\"], shapes: [" +
+                box_of("[-0.5, -0.5]", "[0.5, 0.5]") + "]}]",
+            sticky),
+     "the wall 'a' moves, and bodies in a flow of vortices stand still"},
+    {"slippery",
+     beside("@[{name: a, type: wall, slip: free, shapes: [" + box_of("[-0.5, -0.5]", "[0.5, 0.5]") +
+                "]}]",
+            sticky),
+     "the wall 'a' lets the fluid slip, and vortices come from walls where it sticks"},
+    {"without_viscosity", beside("[" + ball + "]", ", kinematic_viscosity: @0"),
+     "walls where the fluid sticks need a 'kinematic_viscosity'"},
+    {"with_another_diffusion",
+     beside("[" + ball + "]", sticky + ", diffusion: {type: @particle_strength_exchange}"),
+     "beside walls vorticity spreads between the nodes of their lattice: leave 'diffusion' out"},
+    {"with_another_lattice", beside("[" + ball + "]", sticky + ", remesh: {every: @2}"),
+     "walls put the vortices on their lattice at the end of every step: leave 'remesh' out"},
+    {"of_two_shapes",
+     vortex(
+         {{3,
+           "domain: {lower: [-1, -1], upper: [1, 1]}\nregions: [{name: a, type: wall, shapes: [" +
+               box_of("[-0.5, -0.5]", "[0, 0.5]") + ", " + box_of("[0, -0.5]", "[0.5, 0.5]") +
+               "]}]"},
+          {5, "model: {type: @vortex" + sticky + "}"}}),
+     "vortices flow around bodies, each of them one box, ball or polygon, and the wall 'a' is "
+     "none"}};
+INSTANTIATE_TEST_SUITE_P(Table, WallThatVorticesCannotHave, testing::ValuesIn(walls), by_label);
 
 /// What a run of this scenario answers.
 Outcome outcome_of(const std::string& scenario) {
