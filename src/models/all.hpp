@@ -9,7 +9,7 @@
 namespace mote {
 
 /// The models of mote. A new one is its pair of files, a scenario and a word here.
-using Models = TypeList<PressurelessGasRecipe, WeaklyCompressibleRecipe, IncompressibleRecipe,
-                        VortexRecipe>;
+using Models =
+    TypeList<PressurelessGasRecipe, WeaklyCompressibleRecipe, IncompressibleRecipe, VortexRecipe>;
 
 }  // namespace mote

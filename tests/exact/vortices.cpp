@@ -134,8 +134,7 @@ double motion_error(const PointVortices& vortices, double factor = 1) {
   for (std::size_t k = 0; k < 2; ++k) {
     const std::complex<double> apart = now[k] - now[1 - k];
     const std::complex<double> induced =
-        std::complex<double>(0, factor * vortices.circulation[1 - k] / (2 * pi)) /
-        std::conj(apart);
+        std::complex<double>(0, factor * vortices.circulation[1 - k] / (2 * pi)) / std::conj(apart);
     worst = std::max(worst, std::abs((after[k] - before[k]) / (2 * step) - induced));
     const Table table = pair.of_particles(t);
     worst = std::max(worst, std::abs(table[2].values[k] - induced.real()));
@@ -158,7 +157,7 @@ TEST(VortexPair, TurnsOnceInItsPeriodOrGoesStraightOn) {
   const VortexPair equal({{gamma, gamma}, {{{-1, 0}, {1, 0}}}});
   EXPECT_LT(std::abs(equal.places(period)[0] - std::complex<double>(-1, 0)), 1e-13);
   EXPECT_LT(std::abs(equal.places(period / 2)[0] - std::complex<double>(1, 0)), 1e-13);
-  const VortexPair opposite({{-gamma, gamma}, {{{-1, 0}, {1, 0}}}});
+  const VortexPair opposite({{gamma, -gamma}, {{{-1, 0}, {1, 0}}}});
   const std::complex<double> there(-1, 5 * gamma / (2 * pi * d));
   EXPECT_LT(std::abs(opposite.places(5)[0] - there), 1e-13);
 }

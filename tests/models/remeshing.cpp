@@ -79,8 +79,7 @@ double smooth_error(double spacing) {
   double worst = 0;
   for (std::size_t i = 0; i < after.count(); ++i) {
     const double x = after.position[2 * i], y = after.position[2 * i + 1];
-    if (std::hypot(x, y) < 2)
-      worst = std::max(worst, std::abs(after.circulation[i] - field(x, y)));
+    if (std::hypot(x, y) < 2) worst = std::max(worst, std::abs(after.circulation[i] - field(x, y)));
   }
   return worst;
 }

@@ -52,13 +52,18 @@ TEST(Vortex, KeepsCirculationByExchangeAndNotByAnOperator) {
   EXPECT_GT(drift(Diffusion::sph), 1e-10);
 }
 
-/// The second moment of all that vorticity does grows by 4 nu t, whichever way.
+/// The second moment of a vorticity grows by 4 nu t: by exchange and by cores nearly exactly, by an
+/// operator with its error on blobs that are a third of the vortex apart.
 TEST(Vortex, SpreadsAtFourTimesTheViscosity) {
   const double nu = 0.02, time = 0.1;
-  for (const Diffusion diffusion :
-       {Diffusion::sph, Diffusion::particle_strength_exchange, Diffusion::core_spreading}) {
+  const std::pair<Diffusion, double> tolerances[] = {{Diffusion::sph, 1e-2},
+                                                     {Diffusion::particle_strength_exchange, 1e-3},
+                                                     {Diffusion::core_spreading, 1e-10}};
+  for (const auto& [diffusion, tolerance] : tolerances) {
     VortexCase flow = blobs_of(
-        [](const Place& p) { return std::exp(-18 * (std::pow(p[0] - 1, 2) + std::pow(p[1] - 1, 2))); },
+        [](const Place& p) {
+          return std::exp(-18 * (std::pow(p[0] - 1, 2) + std::pow(p[1] - 1, 2)));
+        },
         0.06);
     flow.plan.jitter = 0;
     flow.options.diffusion = diffusion;
@@ -68,7 +73,7 @@ TEST(Vortex, SpreadsAtFourTimesTheViscosity) {
     const double before = told(*vortices, "second_moment");
     take_steps(*vortices, 10, time / 10);
     const double growth = told(*vortices, "second_moment") - before;
-    EXPECT_NEAR(growth / (4 * nu * time), 1, 2e-3) << static_cast<int>(diffusion);
+    EXPECT_NEAR(growth / (4 * nu * time), 1, tolerance) << static_cast<int>(diffusion);
   }
 }
 
@@ -93,7 +98,8 @@ TEST(Vortex, WalksAtRandomAsFarAsFrictionSpreads) {
   const double before = told(*vortices, "second_moment");
   take_steps(*vortices, 4, 0.5);
   const auto count = static_cast<double>(vortices->cloud().count());
-  EXPECT_NEAR((told(*vortices, "second_moment") - before) / (4 * 0.05 * 2), 1, 5 / std::sqrt(count));
+  EXPECT_NEAR((told(*vortices, "second_moment") - before) / (4 * 0.05 * 2), 1,
+              5 / std::sqrt(count));
   flow.options.seed = 1;
   const auto others = make_vortices(flow);
   take_steps(*others, 4, 0.5);

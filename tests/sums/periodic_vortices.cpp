@@ -64,10 +64,11 @@ double error(const Vortices& vortices, double width, double height, bool backgro
   return worst / largest;
 }
 
+/// Rounding grows with height over width.
 TEST(PeriodicVortices, AreTheSumOfRows) {
   for (const double net : {0.0, 0.5}) {
     EXPECT_LT(error(in_box(1, 1, 21, net), 1, 1), 1e-13);
-    EXPECT_LT(error(in_box(0.7, 1.9, 20, net), 0.7, 1.9), 1e-13);
+    EXPECT_LT(error(in_box(0.7, 1.9, 20, net), 0.7, 1.9), 1e-12);
   }
 }
 
@@ -92,10 +93,10 @@ TEST(PeriodicVortices, DoNotDependOnHowTheBoxLies) {
   }
 }
 
-/// Blobs on a lattice with the vorticity of Taylor and Green's vortices: a Gauss core multiplies the
-/// wave by its Fourier transform, and the lattice makes no other error.
+/// Blobs on a lattice with the vorticity of Taylor and Green's vortices: a Gauss core multiplies
+/// the wave by its Fourier transform, and the lattice makes no other error.
 TEST(PeriodicVortices, MakeTaylorGreenVortices) {
-  constexpr int n = 24;
+  constexpr int n = 32;
   constexpr double k = 2 * std::numbers::pi, size = 1.5 / n;
   Vortices lattice;
   for (int i = 0; i < n; ++i)
