@@ -42,7 +42,7 @@ dimension: 2
 domain: {lower: [-1, -1], upper: [1, 1]}
 particles: {spacing: 0.025}
 model:
-  {type: vortex, sum: {method: direct}, core: {name: algebraic.4}, kinematic_viscosity: 0.001,
+  {type: vortex, core: {name: algebraic.4}, kinematic_viscosity: 0.001,
    diffusion: {type: random_walk, seed: 3}}
 initial: {vorticity: "10*exp(-6*(x^2 + 3*y^2))"}
 operator: sph.gauss
