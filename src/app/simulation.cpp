@@ -115,11 +115,12 @@ void Simulation::limit_step(const Document& document) {
   }
 }
 
-/// How long the state allows the next step to be; infinite where there is no Courant number: on a
-/// line, and where the scenario's step suffices.
+/// How long the state allows the next step to be; infinite where the scenario's step suffices. Models
+/// on a line have no Courant number.
 double Simulation::longest_step(double time) {
-  if (!scenario_.time.courant) return std::numeric_limits<double>::infinity();
-  return model_->longest_step(time, *scenario_.time.courant);
+  const auto& courant = scenario_.time.courant;
+  if (!courant && scenario_.model->step_suffices()) return std::numeric_limits<double>::infinity();
+  return model_->longest_step(time, courant.value_or(1));
 }
 
 Step Simulation::next_step(std::int64_t frame, std::int64_t number, double time) {
