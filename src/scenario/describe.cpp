@@ -62,9 +62,10 @@ void for_each_model(const Description& d, const Scenario& scenario, const Catalo
   for (const ModelEntry& entry : catalogue.models) visit(*entry.make());
 }
 
-/// The number of dimensions in which fields and quantities are named.
-int dimension_of(const Description& d, const Scenario& scenario) {
-  return d.wants_all_variants() ? 3 : static_cast<int>(scenario.dimension);
+/// The numbers of dimensions in which fields and quantities are named.
+std::vector<int> dimensions_of(const Description& d, const Scenario& scenario) {
+  if (d.wants_all_variants()) return {2, 3};
+  return {static_cast<int>(scenario.dimension)};
 }
 
 /// The initial fields of the model, with its defaults.
@@ -72,9 +73,10 @@ std::vector<InitialField> initial_fields(const Description& d, const Scenario& s
                                          const Catalogue& catalogue) {
   std::vector<InitialField> fields;
   for_each_model(d, scenario, catalogue, [&](const ModelRecipe& model) {
-    for (const InitialField& field : model.initial_fields(dimension_of(d, scenario)))
-      if (std::ranges::find(fields, field.name, &InitialField::name) == fields.end())
-        fields.push_back(field);
+    for (const int dimension : dimensions_of(d, scenario))
+      for (const InitialField& field : model.initial_fields(dimension))
+        if (std::ranges::find(fields, field.name, &InitialField::name) == fields.end())
+          fields.push_back(field);
   });
   return fields;
 }
@@ -88,8 +90,9 @@ std::vector<std::string> conserved_names(const Description& d, const Scenario& s
                                          const Catalogue& catalogue) {
   std::vector<std::string> names;
   for_each_model(d, scenario, catalogue, [&](const ModelRecipe& model) {
-    for (const std::string& name : model.conserved_names(dimension_of(d, scenario)))
-      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    for (const int dimension : dimensions_of(d, scenario))
+      for (const std::string& name : model.conserved_names(dimension))
+        if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   });
   return names;
 }
