@@ -63,7 +63,7 @@ Numbers at_sources(const SumSettings& settings, const Numbers& points, const Num
 class CauchyTolerance : public testing::TestWithParam<double> {};
 
 TEST_P(CauchyTolerance, HoldsForPointsOfAnyKind) {
-  for (const PointCloud& cloud : clouds<2>(15000)) {
+  for (const PointCloud& cloud : clouds<2>(many_points)) {
     SCOPED_TRACE(cloud.name);
     const Numbers points = complex_points(cloud), strengths = strengths_of(points.size());
     const Numbers result = at_sources({SumMethod::multipole, GetParam()}, points, strengths);
@@ -85,14 +85,14 @@ INSTANTIATE_TEST_SUITE_P(From3To13Digits, CauchyTolerance,
                          testing::Values(1e-3, 1e-5, 1e-8, 1e-11, 1e-13));
 
 TEST(CauchySum, OfFewTermsMissesManyDigits) {
-  const Numbers points = complex_points(clouds<2>(15000).front());
+  const Numbers points = complex_points(clouds<2>(many_points).front());
   const Numbers strengths = strengths_of(points.size());
   const Numbers result = at_sources({SumMethod::multipole, 1e-3}, points, strengths);
   EXPECT_GT(relative_error(result, points, points, strengths), 1e-8);
 }
 
 TEST(CauchySum, IsDirectToRounding) {
-  for (const PointCloud& cloud : clouds<2>(15000)) {
+  for (const PointCloud& cloud : clouds<2>(many_points)) {
     SCOPED_TRACE(cloud.name);
     const Numbers points = complex_points(cloud), strengths = strengths_of(points.size());
     const Numbers result = at_sources({SumMethod::direct, 0}, points, strengths);
@@ -117,7 +117,7 @@ TEST(CauchySum, HasTheSameBitsForAnyNumberOfThreads) {
 }
 
 TEST(CauchySum, IsTheSameAtAnyScale) {
-  const Numbers points = complex_points(clouds<2>(15000).front());
+  const Numbers points = complex_points(clouds<2>(many_points).front());
   const Numbers strengths = strengths_of(points.size());
   const Numbers result = at_sources({SumMethod::multipole, 1e-8}, points, strengths);
   for (const double scale : {0x1p-400, 0x1p+400}) {

@@ -11,6 +11,13 @@
 
 namespace mote::test {
 
+/// Points of a test: fewer under the sanitizers, where each pair takes fifty times as long.
+#ifdef MOTE_SANITIZED
+inline constexpr std::size_t many_points = 2000, some_points = 600;
+#else
+inline constexpr std::size_t many_points = 15000, some_points = 3000;
+#endif
+
 /// Points of a kind that sums over all pairs must cope with, D numbers each.
 struct PointCloud {
   std::string name;

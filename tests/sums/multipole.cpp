@@ -84,10 +84,8 @@ class Multipoles : public testing::Test {};
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(Multipoles, Dimensions);
 
-constexpr std::size_t few = 3000;
-
 TYPED_TEST(Multipoles, KeepTheirToleranceForPointsOfAnyKind) {
-  for (const PointCloud& cloud : clouds<TypeParam::value>(few)) {
+  for (const PointCloud& cloud : clouds<TypeParam::value>(some_points)) {
     SCOPED_TRACE(cloud.name);
     const SumCase<TypeParam::value> sum(cloud);
     for (const double tolerance : {1e-3, 1e-6, 1e-10, 1e-13}) {
@@ -100,7 +98,7 @@ TYPED_TEST(Multipoles, KeepTheirToleranceForPointsOfAnyKind) {
 TYPED_TEST(Multipoles, KeepTheirToleranceForBlobs) {
   for (const std::string core : {"gauss", "algebraic.2", "algebraic.6"}) {
     SCOPED_TRACE(core);
-    SumCase<TypeParam::value> sum(clouds<TypeParam::value>(few).front());
+    SumCase<TypeParam::value> sum(clouds<TypeParam::value>(some_points).front());
     sum.core = core;
     sum.core_size = 0.03;
     for (const double tolerance : {1e-3, 1e-6})
@@ -109,7 +107,7 @@ TYPED_TEST(Multipoles, KeepTheirToleranceForBlobs) {
 }
 
 TYPED_TEST(Multipoles, KeepTheirToleranceAtOtherTargets) {
-  const auto kinds = clouds<TypeParam::value>(few);
+  const auto kinds = clouds<TypeParam::value>(some_points);
   SumCase<TypeParam::value> sum(kinds.front());
   for (const std::size_t kind : {2u, 4u, 5u}) {
     SCOPED_TRACE(kinds[kind].name);
@@ -119,7 +117,7 @@ TYPED_TEST(Multipoles, KeepTheirToleranceAtOtherTargets) {
 }
 
 TYPED_TEST(Multipoles, OfALowToleranceMissManyDigits) {
-  const SumCase<TypeParam::value> sum(clouds<TypeParam::value>(few).front());
+  const SumCase<TypeParam::value> sum(clouds<TypeParam::value>(some_points).front());
   EXPECT_GT(sum.error(1e-3), 1e-9);
 }
 
