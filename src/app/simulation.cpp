@@ -115,8 +115,8 @@ void Simulation::limit_step(const Document& document) {
   }
 }
 
-/// How long the state allows the next step to be; infinite where the scenario's step suffices. Models
-/// on a line have no Courant number.
+/// How long the state allows the next step to be; infinite where the scenario's step suffices.
+/// Models on a line have no Courant number.
 double Simulation::longest_step(double time) {
   const auto& courant = scenario_.time.courant;
   if (!courant && scenario_.model->step_suffices()) return std::numeric_limits<double>::infinity();
