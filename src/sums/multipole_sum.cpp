@@ -32,13 +32,16 @@ template <int D>
 void MultipoleSum<D>::gather(const TreePair<D>& points, Index n) {
   const PointTree<D>& tree = points.sources;
   if (tree.is_leaf(n)) return expansion_.add_points(tree, n, points.strengths, series_of(n));
-  const bool many = tree.node(n).points.count() >= points_a_task;
+  std::vector<Index> below;
   std::vector<Child<D>> children;
   tree.for_each_child(n, [&](Index child) {
+    below.push_back(child);
     children.push_back({tree.node(child), series_of(child)});
-#pragma omp task if (many) shared(points) firstprivate(child)
-    gather(points, child);
   });
+  const bool many = tree.node(n).points.count() >= points_a_task;
+  for (std::size_t k = 0; k < below.size(); ++k)
+#pragma omp task if (many) shared(points, below) firstprivate(k)
+    gather(points, below[k]);
 #pragma omp taskwait
   expansion_.shift_up(children, tree.node(n), series_of(n));
 }
