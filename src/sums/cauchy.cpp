@@ -2,6 +2,7 @@
 
 #include "mote/sums/pair_shapes.hpp"
 #include "mote/sums/pair_sum.hpp"
+#include "mote/sums/plane_fields.hpp"
 #include "mote/sums/power_series.hpp"
 #include "mote/sums/sum_checks.hpp"
 
@@ -29,21 +30,15 @@ std::span<const double> numbers(std::span<const Complex> values) {
 }  // namespace
 
 template <>
-class FarField<CauchyKernel> {
+class FarField<CauchyKernel> : PlaneField {
  public:
-  FarField(const LaurentExpansion& expansion, const double* taylor, double radius)
-      : expansion_(expansion), taylor_(taylor), radius_(radius) {}
+  using PlaneField::PlaneField;
 
   void add(const std::array<Lanes, 2>& offset, std::array<Lanes, 2>& sums) const {
-    const auto values = expansion_.values(taylor_, offset[0] / radius_, offset[1] / radius_, false);
+    const auto values = values_at(offset, false);
     sums[0] += values.real;
     sums[1] += values.imaginary;
   }
-
- private:
-  const LaurentExpansion& expansion_;
-  const double* taylor_;
-  double radius_;
 };
 
 class Cauchy::Sum {
