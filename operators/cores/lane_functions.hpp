@@ -13,21 +13,18 @@ namespace mote {
 
 using LaneBits = std::experimental::fixed_size_simd<std::int64_t, lane_count>;
 
-[[gnu::always_inline]] inline LaneBits bits_of(const Lanes& x) {
-  double numbers[lane_count];
-  std::int64_t bits[lane_count];
-  x.copy_to(numbers, std::experimental::element_aligned);
-  std::memcpy(bits, numbers, sizeof bits);
-  return {bits, std::experimental::element_aligned};
+/// The same bits as numbers of another kind.
+template <class To, class From>
+[[gnu::always_inline]] inline To same_bits(const From& from) {
+  typename From::value_type before[lane_count];
+  typename To::value_type after[lane_count];
+  static_assert(sizeof before == sizeof after);
+  from.copy_to(before, std::experimental::element_aligned);
+  std::memcpy(after, before, sizeof after);
+  return {after, std::experimental::element_aligned};
 }
-
-[[gnu::always_inline]] inline Lanes lanes_of(const LaneBits& x) {
-  double numbers[lane_count];
-  std::int64_t bits[lane_count];
-  x.copy_to(bits, std::experimental::element_aligned);
-  std::memcpy(numbers, bits, sizeof bits);
-  return {numbers, std::experimental::element_aligned};
-}
+[[gnu::always_inline]] inline LaneBits bits_of(const Lanes& x) { return same_bits<LaneBits>(x); }
+[[gnu::always_inline]] inline Lanes lanes_of(const LaneBits& x) { return same_bits<Lanes>(x); }
 
 /// The numbers, but no more, or no less, than the bound. (min and max of the library are calls.)
 [[gnu::always_inline]] inline Lanes at_most(double bound, Lanes x) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "mote/particles/failure.hpp"
+#include "mote/particles/m4_prime.hpp"
 
 namespace mote {
 namespace {
@@ -17,18 +18,12 @@ struct AxisWeights {
   std::vector<double> weights;
 };
 
-double m4_prime(double s) {
-  if (s < 1) return 1 - 2.5 * s * s + 1.5 * s * s * s;
-  return s < 2 ? 0.5 * (2 - s) * (2 - s) * (1 - s) : 0;
-}
-
 /// `place` in spacings from node 0 on.
 void weigh_by_m4_prime(double place, AxisWeights& axis) {
-  axis.first = static_cast<std::int64_t>(std::floor(place)) - 1;
-  axis.weights.resize(4);
-  for (int k = 0; k < 4; ++k)
-    axis.weights[static_cast<std::size_t>(k)] =
-        m4_prime(std::abs(place - static_cast<double>(axis.first + k)));
+  const double before = std::floor(place);
+  axis.first = static_cast<std::int64_t>(before) - 1;
+  const auto weights = m4_prime_weights(place - before);
+  axis.weights.assign(weights.begin(), weights.end());
 }
 
 void weigh_by_gauss(double place, double deviation, AxisWeights& axis) {

@@ -83,10 +83,7 @@ void BiotSavart<D>::at_sources(const Sources<D>& sources, const VelocityField& r
 template <int D>
 void BiotSavart<D>::at(std::span<const double> targets, const Sources<D>& sources,
                        const VelocityField& result) {
-  if (sum_->is_of_points())
-    refuse_targets_on_sources<D>(targets, sources.position);
-  else
-    check_core_size(sources.core_size);
+  check_targets(targets, sources, sum_->is_of_points());
   sum_->form(targets, sources, result);
 }
 

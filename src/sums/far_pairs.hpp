@@ -1,15 +1,18 @@
 #pragma once
 
+#include <array>
+
 #include "mote/sums/point_tree.hpp"
 
 namespace mote {
 
-/// A source node far enough from a target node for expansions of `degree` terms.
+/// A source node far enough from a target node for expansions of `degree` terms, of source and
+/// target.
 template <int D>
 struct FarPair {
-  const double* series;  ///< of the source node
-  Vec<D> distance;       ///< from the source node's centre to the target node's
-  double radius;         ///< of the source node
+  const double* series;            ///< of the source node
+  std::array<double, D> distance;  ///< from the source node's centre to the target node's
+  double radius;                   ///< of the source node
   int degree;
 };
 

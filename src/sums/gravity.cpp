@@ -97,10 +97,7 @@ void Gravity<D>::at_sources(const Sources<D>& sources, const GravityField& resul
 template <int D>
 void Gravity<D>::at(std::span<const double> targets, const Sources<D>& sources,
                     const GravityField& result) {
-  if (sum_->is_of_points())
-    refuse_targets_on_sources<D>(targets, sources.position);
-  else
-    check_core_size(sources.core_size);
+  check_targets(targets, sources, sum_->is_of_points());
   sum_->form(targets, sources, result);
 }
 

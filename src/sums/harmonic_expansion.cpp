@@ -93,9 +93,9 @@ void HarmonicExpansion::prepare_powers(const Lanes& ratio) {
 }
 
 /// A counting sort, stable.
-void HarmonicExpansion::sort_by_degree(std::span<const DistantSource> sources) {
+void HarmonicExpansion::sort_by_degree(std::span<const FarPair<3>> sources) {
   std::array<std::uint32_t, highest_degree + 2> begin{};
-  for (const DistantSource& source : sources)
+  for (const FarPair<3>& source : sources)
     ++begin[static_cast<std::size_t>(degree_ - source.degree + 1)];
   for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
   if (order_.size() < sources.size()) order_.resize(sources.size());
@@ -103,7 +103,7 @@ void HarmonicExpansion::sort_by_degree(std::span<const DistantSource> sources) {
     order_[begin[static_cast<std::size_t>(degree_ - sources[i].degree)]++] = i;
 }
 
-void HarmonicExpansion::translate(std::span<const DistantSource> sources, double radius,
+void HarmonicExpansion::translate(std::span<const FarPair<3>> sources, double radius,
                                   double* local) {
   if (sources.empty()) return;
   sort_by_degree(sources);
@@ -114,8 +114,8 @@ void HarmonicExpansion::translate(std::span<const DistantSource> sources, double
     const std::size_t count = std::min(lane_count, sources.size() - first);
     batch.degree = sources[order_[first]].degree;
     for (std::size_t lane = 0; lane < count; ++lane) {
-      const DistantSource& source = sources[order_[first + lane]];
-      batch.put(lane, source.multipole, source.displacement, source.radius);
+      const FarPair<3>& source = sources[order_[first + lane]];
+      batch.put(lane, source.series, source.distance, source.radius);
     }
     batch.fill_from(count);
     translate_batch(batch, radius);

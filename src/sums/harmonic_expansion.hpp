@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "mote/sums/far_pairs.hpp"
 #include "mote/sums/harmonic_rotation.hpp"
 
 namespace mote {
@@ -22,14 +23,6 @@ struct PointColumns {
   std::array<const double*, 3> position;
   std::span<const double* const> strengths;  ///< one column a component
   std::size_t count;
-};
-
-/// A multipole expansion seen from another node.
-struct DistantSource {
-  const double* multipole;
-  Vector3 displacement;  ///< from the centre of the source to that of the target
-  double radius;         ///< of the source
-  int degree;            ///< terms to use, of source and target; at most that of the expansions
 };
 
 struct ChildMultipole {
@@ -66,12 +59,13 @@ class HarmonicExpansion {
   /// Adds the multipole expansions of children to that of their parent.
   void shift_up(std::span<const ChildMultipole> children, const NodeBall& parent,
                 double* multipole);
-  /// Adds the field of distant sources to the local expansion of a target of `radius`, those of
-  /// like degrees eight at a time, with the highest degree of the eight. All degrees of the source
-  /// go to all of the target: leaving out those that add up to more than the degree, as Dehnen
-  /// does, saves at most a tenth of the time and makes the errors of two equal balls 5 to 300 times
-  /// as large at degree 6 to 10. The balls of source and target must not touch.
-  void translate(std::span<const DistantSource> sources, double radius, double* local);
+  /// Adds the field of distant sources, of at most the degree of the expansions, to the local
+  /// expansion of a target of `radius`, those of like degrees eight at a time, with the highest
+  /// degree of the eight. All degrees of the source go to all of the target: leaving out those that
+  /// add up to more than the degree, as Dehnen does, saves at most a tenth of the time and makes
+  /// the errors of two equal balls 5 to 300 times as large at degree 6 to 10. The balls of source
+  /// and target must not touch.
+  void translate(std::span<const FarPair<3>> sources, double radius, double* local);
   /// Adds the local expansion of a parent to those of its children.
   void shift_down(const double* local, const NodeBall& parent,
                   std::span<const ChildLocal> children);
@@ -82,7 +76,7 @@ class HarmonicExpansion {
   std::size_t place_of(int component) const {
     return static_cast<std::size_t>(component) * harmonic_count(degree_);
   }
-  void sort_by_degree(std::span<const DistantSource> sources);
+  void sort_by_degree(std::span<const FarPair<3>> sources);
   void translate_batch(const Batch& batch, const Lanes& target_radius);
   void turn_in(const Batch& batch, int component, const Lanes& ratio);
   void turn_out(int degree, int component, const Lanes& first, const Lanes& ratio);

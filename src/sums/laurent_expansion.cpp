@@ -97,7 +97,7 @@ void LaurentExpansion::translate(std::span<const FarPair<2>> pairs, double targe
 
 /// The real part of sum_j v_j ln(d - a tau_j) = M_0 ln d - sum_k>0 M_k (a/d)^k/k, v_j real.
 double LaurentExpansion::potential_of(const FarPair<2>& pair, const Complex& ratio) const {
-  double sum = pair.series[0] * std::log(pair.distance.norm());
+  double sum = pair.series[0] * std::log(Vec<2>::Map(pair.distance.data()).norm());
   Complex power = ratio;
   for (int k = 1; k < pair.degree; ++k, power *= ratio)
     sum -= (pair.series[k] * power.real() -

@@ -24,8 +24,6 @@ namespace mote {
 /// the way from M to L is a diagonal, a constant real matrix and a diagonal.
 class LaurentExpansion {
  public:
-  static constexpr int dimension = 2;
-
   /// Terms for errors of about `tolerance` in every pair of nodes that is far enough apart.
   LaurentExpansion(double tolerance, bool with_potential);
 

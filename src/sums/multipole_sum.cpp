@@ -1,6 +1,7 @@
 #include "mote/sums/multipole_sum.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 namespace mote {
@@ -98,12 +99,12 @@ class MultipoleSum<D>::Descent {
       const Index s = open.back();
       open.pop_back();
       const TreeNode<D>& source = sources_.node(s);
-      const Vec<D> distance = target.centre - source.centre;
-      const int degree = degree_for(source.radius, target.radius, distance.norm());
+      const Vec<D> apart = target.centre - source.centre;
+      const int degree = degree_for(source.radius, target.radius, apart.norm());
       const bool both_leaves = at_leaf && sources_.is_leaf(s);
       if (degree <= expansion_.degree() &&
           !(both_leaves && few_pairs(source.points, target.points, degree)))
-        far.push_back({sum_.series_of(s), distance, source.radius, degree});
+        far.push_back({sum_.series_of(s), components(apart), source.radius, degree});
       else if (both_leaves)
         add_range(source.points, near);
       else if (at_leaf || (!sources_.is_leaf(s) && source.radius > target.radius))
@@ -122,6 +123,12 @@ class MultipoleSum<D>::Descent {
   static bool few_pairs(PointRange sources, PointRange targets, int degree) {
     return std::int64_t{sources.count()} * targets.count() <
            FarExpansion<D>::pairs_for_a_translation(degree);
+  }
+
+  static std::array<double, D> components(const Vec<D>& vector) {
+    std::array<double, D> numbers;
+    std::copy_n(vector.data(), D, numbers.begin());
+    return numbers;
   }
 
   void open_children(Index s, std::vector<Index>& open) const {

@@ -60,11 +60,7 @@ void SpaceExpansion::shift_up(std::span<const Child<3>> children, const TreeNode
 
 void SpaceExpansion::translate(std::span<const FarPair<3>> pairs, double target_radius,
                                double* local) const {
-  std::vector<DistantSource> sources;
-  for (const FarPair<3>& p : pairs)
-    sources.push_back(
-        {p.series, {p.distance[0], p.distance[1], p.distance[2]}, p.radius, p.degree});
-  mine().translate(sources, target_radius, local);
+  mine().translate(pairs, target_radius, local);
 }
 
 void SpaceExpansion::shift_down(const TreeNode<3>& parent, const double* from,

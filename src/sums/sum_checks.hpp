@@ -29,6 +29,15 @@ void refuse_points_of_one_place(std::span<const double> points);
 /// Throws InputError unless blobs of this size can be.
 void check_core_size(double size);
 
+/// Throws InputError for blobs of no size, and for targets that are on points, which have none.
+template <int D>
+void check_targets(std::span<const double> targets, const Sources<D>& sources, bool are_points) {
+  if (are_points)
+    refuse_targets_on_sources<D>(targets, sources.position);
+  else
+    check_core_size(sources.core_size);
+}
+
 /// Throws InputError with what there is.
 [[noreturn]] void refuse_core(std::string_view name);
 

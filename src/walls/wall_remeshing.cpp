@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "mote/particles/failure.hpp"
+#include "mote/particles/m4_prime.hpp"
 
 namespace mote {
 namespace {
@@ -15,13 +16,6 @@ namespace {
 constexpr int reach_beside_walls = 3;        ///< nodes each way
 constexpr double radius_beside_walls = 2.9;  ///< spacings
 constexpr double largest_weights = 3;        ///< sum of their sizes
-
-/// Monaghan's M4': 1 - 5/2 u^2 + 3/2 u^3 up to u = 1, (2 - u)^2 (1 - u)/2 up to 2.
-std::array<double, 4> m4_prime(double u) {
-  const auto inner = [](double v) { return 1 - v * v * (2.5 - 1.5 * v); };
-  const auto outer = [](double v) { return 0.5 * (2 - v) * (2 - v) * (1 - v); };
-  return {outer(1 + u), inner(u), inner(1 - u), outer(2 - u)};
-}
 
 struct Node {
   int i, j;
@@ -75,7 +69,7 @@ class Remeshing {
   }
 
   void add_by_kernel(int i, int j, Complex at, double circulation) {
-    const auto along_x = m4_prime(at.real() - i), along_y = m4_prime(at.imag() - j);
+    const auto along_x = m4_prime_weights(at.real() - i), along_y = m4_prime_weights(at.imag() - j);
     for (int n = 0; n < 4; ++n)
       for (int m = 0; m < 4; ++m)
         result_.circulation[result_.box.place(i + m - 1, j + n - 1)] +=

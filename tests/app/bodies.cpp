@@ -39,15 +39,11 @@ output: {every: 0.05, picture: false}
 struct BodiesRun : FlowRuns, testing::WithParamInterface<const char*> {};
 
 TEST_P(BodiesRun, HasTheSameBitsForAnyNumberOfThreads) {
-  const fs::path one = run(GetParam(), "one", {"--threads", "1"});
-  expect_same(one, run(GetParam(), "two", {"--threads", "2"}));
-  expect_same(one, run(GetParam(), "four", {"--threads", "4"}));
+  expect_same_bits_for_any_number_of_threads(GetParam());
 }
 
 TEST_P(BodiesRun, HasTheSameBitsAfterAResume) {
-  const fs::path whole = run(GetParam(), "whole", {"--threads", "2"});
-  for (const char* threads : {"1", "4"})
-    expect_same(whole, resumed(whole, std::string("resumed") + threads, threads));
+  expect_same_bits_after_a_resume(GetParam(), {"1", "4"});
 }
 
 /// Negative control of the comparisons above.

@@ -48,16 +48,10 @@ class Flow : public FlowRuns {
 };
 
 TEST_F(Flow, HasTheSameBitsForAnyNumberOfThreads) {
-  const fs::path one = run(tank, "one", {"--threads", "1"});
-  expect_same(one, run(tank, "two", {"--threads", "2"}));
-  expect_same(one, run(tank, "four", {"--threads", "4"}));
+  expect_same_bits_for_any_number_of_threads(tank);
 }
 
-TEST_F(Flow, HasTheSameBitsAfterAResume) {
-  const fs::path whole = run(tank, "whole", {"--threads", "2"});
-  for (const char* threads : {"1", "2", "4"})
-    expect_same(whole, resumed(whole, std::string("resumed") + threads, threads));
-}
+TEST_F(Flow, HasTheSameBitsAfterAResume) { expect_same_bits_after_a_resume(tank, {"1", "2", "4"}); }
 
 /// Negative control of the comparisons above.
 TEST_F(Flow, HasOtherBitsWithAnotherCourantNumber) {

@@ -66,6 +66,19 @@ class FlowRuns : public testing::Test {
     }
   }
 
+  void expect_same_bits_for_any_number_of_threads(const std::string& scenario) const {
+    const fs::path one = run(scenario, "one", {"--threads", "1"});
+    expect_same(one, run(scenario, "two", {"--threads", "2"}));
+    expect_same(one, run(scenario, "four", {"--threads", "4"}));
+  }
+
+  void expect_same_bits_after_a_resume(const std::string& scenario,
+                                       const std::vector<std::string>& threads) const {
+    const fs::path whole = run(scenario, "whole", {"--threads", "2"});
+    for (const std::string& count : threads)
+      expect_same(whole, resumed(whole, "resumed" + count, count));
+  }
+
   TemporaryFolder folder_;
 };
 

@@ -28,7 +28,7 @@ void translate(benchmark::State& state) {
   Draws draws(1);
   const auto multipoles = draws.uniform(count * places(expansion), -1, 1);
   std::vector<double> local(places(expansion));
-  std::vector<DistantSource> sources;
+  std::vector<FarPair<3>> sources;
   for (std::size_t i = 0; i < count; ++i)
     sources.push_back({&multipoles[i * places(expansion)],
                        {draws.uniform(-3, 3), draws.uniform(-3, 3), draws.uniform(2, 4)},

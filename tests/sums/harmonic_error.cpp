@@ -21,7 +21,7 @@ Errors errors(const HarmonicCloud& cloud, const HarmonicCloud& targets, const Pa
   const NodeBall from{{0, 0, 0}, ratios.source}, to{{0, 0, 1}, ratios.target};
   const auto multipole = cloud.multipole(expansion, from);
   std::vector<double> local(expansion.coefficients());
-  const DistantSource distant{multipole.data(), {0, 0, 1}, from.radius, degree};
+  const FarPair<3> distant{multipole.data(), {0, 0, 1}, from.radius, degree};
   expansion.translate({&distant, 1}, to.radius, local.data());
   PotentialField field(degree);
   field.prepare(local.data(), to);

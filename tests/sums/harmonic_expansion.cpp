@@ -59,7 +59,7 @@ HarmonicCloud cloud_of(const NodeBall& ball, std::size_t count = 21) {
 Coefficients translated(HarmonicExpansion& expansion, const Coefficients& multipole,
                         const Vector3& moved, double radius, double target_radius) {
   Coefficients local(expansion.coefficients());
-  const DistantSource source{multipole.data(), moved, radius, expansion.degree()};
+  const FarPair<3> source{multipole.data(), moved, radius, expansion.degree()};
   expansion.translate({&source, 1}, target_radius, local.data());
   return local;
 }
@@ -181,7 +181,7 @@ struct ManySources : testing::Test {
   static constexpr int degree = 12;
   HarmonicExpansion expansion{degree, 3}, single{degree, 1};
   std::vector<Coefficients> multipoles;
-  std::vector<DistantSource> sources;
+  std::vector<FarPair<3>> sources;
 
   ManySources() {
     Draws draws(8);
@@ -198,9 +198,9 @@ struct ManySources : testing::Test {
   Coefficients local(HarmonicExpansion& by, double scale = 1, std::size_t component = 0) {
     Coefficients result(by.coefficients());
     auto scaled = sources;
-    for (DistantSource& source : scaled) {
-      source.multipole += component * harmonic_count(degree);
-      for (double& d : source.displacement) d *= scale;
+    for (FarPair<3>& source : scaled) {
+      source.series += component * harmonic_count(degree);
+      for (double& d : source.distance) d *= scale;
       source.radius *= scale;
     }
     by.translate(scaled, 0.4 * scale, result.data());
@@ -222,9 +222,9 @@ TEST_F(ManySources, SameBitsIfCalledAgain) { EXPECT_EQ(local(expansion), local(e
 TEST_F(ManySources, EightOfLikeDegreesAreTakenWithTheirHighest) {
   const Coefficients together = local(single);
   Coefficients one_by_one(single.coefficients());
-  std::ranges::stable_sort(sources, std::greater(), &DistantSource::degree);
+  std::ranges::stable_sort(sources, std::greater(), &FarPair<3>::degree);
   for (std::size_t i = 0; i < sources.size(); ++i) {
-    DistantSource source = sources[i];
+    FarPair<3> source = sources[i];
     source.degree = sources[i - i % lane_count].degree;
     single.translate({&source, 1}, 0.4, one_by_one.data());
   }
@@ -232,7 +232,7 @@ TEST_F(ManySources, EightOfLikeDegreesAreTakenWithTheirHighest) {
 }
 
 TEST_F(ManySources, LowDegreesTakeAndGiveTheBeginningOfAnExpansion) {
-  for (DistantSource& source : sources) source.degree = 1;
+  for (FarPair<3>& source : sources) source.degree = 1;
   const Coefficients first = local(single);
   EXPECT_NE(first[harmonic_count(1) - 1], 0);
   for (std::size_t i = harmonic_count(1); i < first.size(); ++i) ASSERT_EQ(first[i], 0) << i;

@@ -31,7 +31,7 @@ struct Field {
     HarmonicExpansion expansion(degree, 3);
     const auto multipole = cloud.multipole(expansion, from);
     std::vector<double> result(expansion.coefficients());
-    const DistantSource distant{multipole.data(), displacement(from, to), from.radius, degree};
+    const FarPair<3> distant{multipole.data(), displacement(from, to), from.radius, degree};
     expansion.translate({&distant, 1}, to.radius, result.data());
     return result;
   }
