@@ -1,13 +1,22 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 namespace mote {
+
+class ForceSeries;
 
 /// Values that an integrator moves on, and where the system leaves their rate of change.
 struct Evolving {
   std::span<double> value;
   std::span<const double> rate;
+};
+
+/// What is known of a system of point masses under nothing but their own gravity.
+struct PointMasses {
+  double gravitational_constant = 1;
+  std::span<const double> mass;
 };
 
 /// A system of ordinary differential equations in two parts, as symplectic methods want it:
@@ -43,6 +52,25 @@ class System {
   /// Whether integrators keep what rounding loses at each addition for the next one. Not worth its
   /// memory where the discretisation's error is far above that.
   virtual bool compensates() const { return true; }
+
+  /// Whether this is an equation of second order without velocities, x'' = f(t, x): part k of what
+  /// is kicked is the velocity of part k of what drifts, and kick rates follow from time and
+  /// drifted values alone.
+  virtual bool falls_freely() const { return false; }
+
+  /// Whether the state is these values and nothing else, so that a path through them is a path of
+  /// the system.
+  virtual bool has_paths() const { return falls_freely(); }
+
+  /// Numbers a place in space, where the first part of what drifts is places and the first part of
+  /// what is kicked their velocities; else 0.
+  virtual int dimension() const { return 0; }
+
+  /// The masses at these places, where their gravity is all there is and none of them is spread.
+  virtual std::optional<PointMasses> point_masses() const { return std::nullopt; }
+
+  /// Accelerations along paths, of systems that have them as power series; else null.
+  virtual ForceSeries* force_series() { return nullptr; }
 };
 
 }  // namespace mote
