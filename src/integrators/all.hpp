@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mote/integrators/forward_euler.hpp"
+#include "mote/integrators/gauss_radau_15.hpp"
 #include "mote/integrators/predictor_corrector.hpp"
 #include "mote/integrators/runge_kutta_4.hpp"
 #include "mote/integrators/symplectic_euler.hpp"
@@ -10,7 +11,7 @@
 namespace mote {
 
 /// The integrators of mote. A new one is its own file and a word here.
-using Integrators =
-    TypeList<ForwardEuler, SymplecticEuler, VelocityVerlet, PredictorCorrector, RungeKutta4>;
+using Integrators = TypeList<ForwardEuler, SymplecticEuler, VelocityVerlet, PredictorCorrector,
+                             RungeKutta4, GaussRadau15>;
 
 }  // namespace mote
