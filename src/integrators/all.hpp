@@ -6,12 +6,13 @@
 #include "mote/integrators/runge_kutta_4.hpp"
 #include "mote/integrators/symplectic_euler.hpp"
 #include "mote/integrators/velocity_verlet.hpp"
+#include "mote/integrators/wisdom_holman.hpp"
 #include "mote/options/type_list.hpp"
 
 namespace mote {
 
 /// The integrators of mote. A new one is its own file and a word here.
 using Integrators = TypeList<ForwardEuler, SymplecticEuler, VelocityVerlet, PredictorCorrector,
-                             RungeKutta4, GaussRadau15>;
+                             RungeKutta4, GaussRadau15, WisdomHolman>;
 
 }  // namespace mote
