@@ -177,34 +177,31 @@ void GaussRadau15::predict(double step) {
     }
 }
 
-/// Whether the changes become small enough, and not only smaller for a while.
+/// Whether corrections become small enough. At the level of rounding they may cease to shrink.
 bool GaussRadau15::sweep_until_converged(System& system, double time, double step) {
-  constexpr int most_sweeps = 12;
-  constexpr double next_to_nothing = 3e-15, small = 1e-9;
-  double last = std::numeric_limits<double>::infinity(), change = 0;
-  for (int k = 1; k <= most_sweeps; ++k, last = change) {
-    change = sweep(system, time, step);
-    if (k > 1 && change * std::min(1.0, change / last) <= next_to_nothing) return true;
-    if (k > 2 && change >= last) break;
+  constexpr int most_sweeps = 20;
+  constexpr double of_rounding = 1e-13, small = 1e-9;
+  const double next_to_nothing = 3e-8 * tolerance_;
+  double last = std::numeric_limits<double>::infinity(), correction = last;
+  for (int k = 1; k <= most_sweeps; ++k, last = correction) {
+    correction = sweep(system, time, step);
+    if (k > 1 && correction * std::min(1.0, correction / last) <= next_to_nothing) return true;
+    if (k > 2 && correction >= last && correction <= of_rounding) return true;
   }
-  return change <= small;
+  return correction <= small;
 }
 
-/// Evaluates at every node once. Returns the correction at the last one, which is the largest,
-/// relative to the largest acceleration.
+/// Evaluates at every node once. Returns the largest correction, relative to the largest
+/// acceleration at the last node.
 double GaussRadau15::sweep(System& system, double time, double step) {
-  const auto visit = [&]<std::size_t Node>() {
-    evaluate<Node>(system, time, step);
-    return correct<Node>();
-  };
-  Pack change{}, size{};
+  Pack correction{}, size{};
   [&]<std::size_t... Node>(std::index_sequence<Node...>) {
-    ((change = visit.template operator()<Node>()), ...);
+    ((evaluate<Node>(system, time, step), correction = larger(correction, correct<Node>())), ...);
   }
   (std::make_index_sequence<nodes>());
   for (std::size_t p = 0; p < rate_.packs(); ++p) size = larger(size, magnitude(rate_[p]));
   const double largest = largest_of(size);
-  return largest > 0 ? largest_of(change) / largest : 0;
+  return largest > 0 ? largest_of(correction) / largest : 0;
 }
 
 /// Puts the system to a node and takes its accelerations.

@@ -25,9 +25,9 @@ inline constexpr std::size_t pack_size = 8;
 }
 
 inline double largest_of(const Pack& pack) {
-  double largest = pack[0];
-  for (std::size_t k = 1; k < pack_size; ++k) largest = std::max(largest, pack[k]);
-  return largest;
+  const double low = std::max(std::max(pack[0], pack[1]), std::max(pack[2], pack[3]));
+  const double high = std::max(std::max(pack[4], pack[5]), std::max(pack[6], pack[7]));
+  return std::max(low, high);
 }
 
 /// The numbers of all parts of a system one after the other, in whole packs; zeros fill the last.

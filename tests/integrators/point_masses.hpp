@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -22,6 +23,7 @@ class MassPoints final : public System {
         acceleration(this->position.size()) {}
   MassPoints(const MassPoints&) = delete;
   MassPoints& operator=(const MassPoints&) = delete;
+  MassPoints copy() const { return {constant, mass, position, velocity}; }
 
   std::span<const Evolving> drifted() override { return drifted_; }
   std::span<const Evolving> kicked() override { return kicked_; }
@@ -69,6 +71,12 @@ inline MassPoints kepler(double eccentricity) {
           {0, 0, 0, 0, std::sqrt((1 + eccentricity) / (1 - eccentricity)), 0}};
 }
 
+/// Two bodies about their centre of mass with that orbit between them.
+inline MassPoints binary(double eccentricity) {
+  const double x = 1 - eccentricity, v = std::sqrt((1 + eccentricity) / x);
+  return {1, {0.6, 0.4}, {-0.4 * x, 0, 0, 0.6 * x, 0, 0}, {0, -0.4 * v, 0, 0, 0.6 * v, 0}};
+}
+
 /// The Sun and the giant planets.
 inline MassPoints giants() {
   std::vector<double> mass, position, velocity;
@@ -80,7 +88,13 @@ inline MassPoints giants() {
   return {gauss_constant_squared, mass, position, velocity};
 }
 
-/// G m / |x| terms are summed in long double, so that the energy's own rounding does not show.
+inline double distance(const std::vector<double>& x, const std::vector<double>& y) {
+  double square = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) square += (x[k] - y[k]) * (x[k] - y[k]);
+  return std::sqrt(square);
+}
+
+/// In long double, so that the energy's own rounding does not show.
 inline long double energy(const MassPoints& bodies) {
   long double sum = 0;
   for (std::size_t i = 0; i < bodies.mass.size(); ++i) {
