@@ -66,31 +66,25 @@ WisdomHolman::Triangle::Triangle(std::size_t count, Weight weight)
 
 WisdomHolman::Weights::Weights(const PointMasses& masses)
     : count(masses.mass.size()),
+      within(masses_within(masses.mass)),
       mass(packs_of(count, [&](std::size_t k) { return masses.mass[k]; })),
       pull(packs_of(count,
-                    [&, within = masses_within(masses.mass)](std::size_t k) {
-                      return masses.gravitational_constant * within[k];
-                    })),
-      first_part(packs_of(count, [&, within = masses_within(masses.mass)](
-                                     std::size_t k) { return masses.mass[0] / within[k - 1]; })),
+                    [&](std::size_t k) { return masses.gravitational_constant * within[k]; })),
+      first_part(packs_of(count, [&](std::size_t k) { return masses.mass[0] / within[k - 1]; })),
       first_pull(masses.gravitational_constant * masses.mass[0]),
-      planet_pull(masses.mass.begin(), masses.mass.end()),
       centre(count,
-             [&, within = masses_within(masses.mass)](std::size_t from, std::size_t to) {
+             [&](std::size_t from, std::size_t to) {
                return to <= from ? -masses.mass[from] / within[from] : 0;
              }),
       before(count,
-             [&, within = masses_within(masses.mass)](std::size_t from, std::size_t to) {
+             [&](std::size_t from, std::size_t to) {
                return from < to ? masses.mass[from] / within[from] : 0;
              }),
-      outer(count,
-            [&, within = masses_within(masses.mass)](std::size_t from, std::size_t to) {
-              return 0 < to && to < from ? 1 / within[to - 1] : 0;
-            }),
-      inner(count, [&, within = masses_within(masses.mass)](std::size_t from, std::size_t to) {
-        return from < to ? -1 / within[to - 1] : 0;
-      }) {
-  for (double& pull_of_one : planet_pull) pull_of_one *= masses.gravitational_constant;
+      outer(count, [&](std::size_t from,
+                       std::size_t to) { return 0 < to && to < from ? 1 / within[to - 1] : 0; }),
+      inner(count,
+            [&](std::size_t from, std::size_t to) { return from < to ? -1 / within[to - 1] : 0; }) {
+  for (const double m : masses.mass) planet_pull.push_back(masses.gravitational_constant * m);
 }
 
 std::string WisdomHolman::missing_in(System& system) const {
@@ -123,7 +117,7 @@ void WisdomHolman::take(System& system) {
   const PointMasses masses = *system.point_masses();
   weights_.emplace(masses);
   has_kicks_ = false;
-  const std::vector<double> within = masses_within(masses.mass);
+  const std::vector<double>& within = weights_->within;
   idle(place_, velocity_, weights_->count);
   for (auto* column : {&kick_, &from_first_, &planets_force_, &first_force_})
     column->assign(place_.size(), {});

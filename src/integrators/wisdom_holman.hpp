@@ -60,6 +60,7 @@ class WisdomHolman final : public Integrator {
     explicit Weights(const PointMasses& masses);
 
     std::size_t count;
+    std::vector<double> within;       ///< M_k
     Packs mass, pull, first_part;     ///< m_k, G M_k, m_0/M_(k-1); 0 where there is no planet
     double first_pull;                ///< G m_0
     std::vector<double> planet_pull;  ///< G m_k
