@@ -66,8 +66,9 @@ Bodies<D>::Bodies(const BodiesOptions& options, SpaceSetup setup)
     : options_(options),
       start_(std::move(setup)),
       cloud_(D, 0),
-      gravity_(std::make_unique<OwnGravity<D>>(OwnGravityOptions{
-          options.gravitational_constant, options.sum, options.tolerance, options.core})) {
+      gravity_(std::make_unique<OwnGravity<D>>(
+          options.gravitational_constant,
+          SumChoice{options.sum, options.tolerance, options.core})) {
   refuse_a_box(start_);
   start_.bodies = {Body{.name = "bodies"}};
   cloud_.add("velocity", FieldKind::vector, "m/s");

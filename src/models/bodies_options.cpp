@@ -3,23 +3,11 @@
 #include <fmt/format.h>
 
 #include "mote/models/bodies.hpp"
-#include "mote/operators/cores/all.hpp"
+#include "mote/models/chosen_sum.hpp"
 #include "mote/particles/failure.hpp"
 
 namespace mote {
 namespace {
-
-const Choices sums{{"automatic", "direct for few bodies, multipole for many"},
-                   {"direct", "pair by pair"},
-                   {"multipole", "an adaptive fast multipole method"}};
-
-Choices softenings() {
-  Choices choices{{"point", "none: point masses"}};
-  for_each_type(VortexCores{}, [&]<class Core>() {
-    choices.push_back({std::string(Core::name), std::string(Core::summary)});
-  });
-  return choices;
-}
 
 void describe_mass(Description& d, PointMass& body) {
   d.number({"mass", "of the body", true}, body.mass, positive);
@@ -45,13 +33,14 @@ void BodiesOptions::describe(Description& d) {
   d.number({"gravitational_constant", "G; in 2D accelerations are G m/r, in 3D G m/r^2"},
            gravitational_constant, not_negative);
   d.section({"sum", "how the sums over all pairs are formed"}, [&] {
-    d.choice({"method", "which way"}, sum, sums);
+    d.choice({"method", "which way"}, sum, sum_choices("bodies"));
     d.number({"tolerance", "of the multipole method: error over the largest acceleration"},
              tolerance, {1e-13, 1e-3});
   });
   d.section({"softening", "how the mass of a body is spread"}, [&] {
     d.variant(
-        {"name", "form of the spread mass"}, core, softenings(), [&](const std::string& name) {
+        {"name", "form of the spread mass"}, core, core_choices("none: point masses"),
+        [&](const std::string& name) {
           if (name != "point")
             d.number({"size", "its radius, the same for all bodies", true}, core_size, positive);
         });

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "mote/models/fixed_sum.hpp"
-#include "mote/operators/cores/all.hpp"
 #include "mote/particles/failure.hpp"
 #include "mote/sums/gravity.hpp"
 #include "mote/sums/periodic_vortices.hpp"
@@ -17,10 +16,7 @@ namespace {
 template <int D>
 class FreeVortices final : public InducedVelocity<D> {
  public:
-  explicit FreeVortices(const VelocitySumOptions& options)
-      : direct_({SumMethod::direct, options.tolerance}, options.core),
-        multipole_({SumMethod::multipole, options.tolerance}, options.core),
-        method_(options.method) {}
+  explicit FreeVortices(const SumChoice& choice) : sums_(choice, few) {}
 
   void at_sources(const Sources<D>& sources, const VelocityField& result) override {
     sum_for(sources).velocity.at_sources(sources, result);
@@ -70,17 +66,11 @@ class FreeVortices final : public InducedVelocity<D> {
     Gravity<D> potential;
   };
 
-  Sums& sum_for(const Sources<D>& sources) {
-    const bool many = sources.position.size() > D * few;
-    const bool fast = method_ == "multipole" || (method_ == "automatic" && many);
-    return fast ? multipole_ : direct_;
-  }
+  Sums& sum_for(const Sources<D>& sources) { return sums_.of(sources.position.size() / D); }
 
-  /// Vortices up to which summing pair by pair is about as fast, and exact.
   static constexpr std::size_t few = 1500;
 
-  Sums direct_, multipole_;
-  std::string method_;
+  ChosenSum<Sums> sums_;
   std::vector<double> velocity_, gradient_, potential_, component_;  ///< work
 };
 
@@ -102,8 +92,8 @@ class BoxedVortices final : public InducedVelocity<2> {
   PeriodicVortices box_;
 };
 
-std::unique_ptr<InducedVelocity<2>> boxed(const VelocitySumOptions& options,
-                                          const SpaceStart& start, std::ptrdiff_t axes) {
+std::unique_ptr<InducedVelocity<2>> boxed(const SumChoice& options, const SpaceStart& start,
+                                          std::ptrdiff_t axes) {
   if (axes != 2)
     throw InputError("domain.periodic",
                      "vortices need a domain that is periodic along all axes, or along none");
@@ -118,16 +108,8 @@ std::unique_ptr<InducedVelocity<2>> boxed(const VelocitySumOptions& options,
 
 }  // namespace
 
-Choices vortex_core_choices() {
-  Choices choices{{"point", "none: a point vortex"}};
-  for_each_type(VortexCores{}, [&]<class Core>() {
-    choices.push_back({std::string(Core::name), std::string(Core::summary)});
-  });
-  return choices;
-}
-
 template <int D>
-std::unique_ptr<InducedVelocity<D>> induced_velocity(const VelocitySumOptions& options,
+std::unique_ptr<InducedVelocity<D>> induced_velocity(const SumChoice& options,
                                                      const SpaceStart& start) {
   const auto axes = std::count(start.periodic.begin(), start.periodic.begin() + D, true);
   if (axes == 0) return std::make_unique<FreeVortices<D>>(options);
@@ -137,9 +119,9 @@ std::unique_ptr<InducedVelocity<D>> induced_velocity(const VelocitySumOptions& o
     return boxed(options, start, axes);
 }
 
-template std::unique_ptr<InducedVelocity<3>> induced_velocity<3>(const VelocitySumOptions&,
+template std::unique_ptr<InducedVelocity<3>> induced_velocity<3>(const SumChoice&,
                                                                  const SpaceStart&);
-template std::unique_ptr<InducedVelocity<2>> induced_velocity<2>(const VelocitySumOptions&,
+template std::unique_ptr<InducedVelocity<2>> induced_velocity<2>(const SumChoice&,
                                                                  const SpaceStart&);
 
 }  // namespace mote

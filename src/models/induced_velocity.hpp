@@ -5,14 +5,11 @@
 #include <span>
 #include <string>
 
+#include "mote/models/chosen_sum.hpp"
 #include "mote/models/space.hpp"
-#include "mote/options/description.hpp"
 #include "mote/sums/biot_savart.hpp"
 
 namespace mote {
-
-/// Words for the cores of vortices: "point" and those of the list VortexCores.
-Choices vortex_core_choices();
 
 /// The velocity that vortices induce, be it in an unbounded fluid or in a periodic box.
 template <int D>
@@ -31,23 +28,17 @@ class InducedVelocity {
   virtual std::optional<double> hamiltonian(const Sources<D>& sources) = 0;
 };
 
-struct VelocitySumOptions {
-  std::string method = "automatic";
-  double tolerance = 1e-8;
-  std::string core = "gauss";
-};
-
 /// The sum that fits the domain: in a box that is periodic along all axes with all images, else in
 /// an unbounded fluid. Throws InputError for a domain that is periodic along some axes only, or
 /// periodic in space.
 template <int D>
-std::unique_ptr<InducedVelocity<D>> induced_velocity(const VelocitySumOptions& options,
+std::unique_ptr<InducedVelocity<D>> induced_velocity(const SumChoice& options,
                                                      const SpaceStart& start);
 
-extern template std::unique_ptr<InducedVelocity<2>> induced_velocity<2>(const VelocitySumOptions&,
+extern template std::unique_ptr<InducedVelocity<2>> induced_velocity<2>(const SumChoice&,
                                                                         const SpaceStart&);
 
-extern template std::unique_ptr<InducedVelocity<3>> induced_velocity<3>(const VelocitySumOptions&,
+extern template std::unique_ptr<InducedVelocity<3>> induced_velocity<3>(const SumChoice&,
                                                                         const SpaceStart&);
 
 }  // namespace mote

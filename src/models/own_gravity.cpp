@@ -6,41 +6,30 @@
 namespace mote {
 namespace {
 
-/// Bodies up to which summing pair by pair is about as fast, and exact.
 constexpr std::size_t few = 6000;
 
 }  // namespace
 
 template <int D>
-OwnGravity<D>::OwnGravity(const OwnGravityOptions& options)
-    : options_(options),
-      has_pairs_of_points_(options.core == "point" && options.method != "multipole"),
-      direct_({SumMethod::direct, options.tolerance}, options.core),
-      multipole_({SumMethod::multipole, options.tolerance}, options.core) {}
-
-template <int D>
-bool OwnGravity<D>::sums_pair_by_pair(std::size_t bodies) const {
-  return options_.method == "direct" || (options_.method == "automatic" && bodies <= few);
-}
-
-template <int D>
-Gravity<D>& OwnGravity<D>::sum_for(const Sources<D>& bodies) {
-  return sums_pair_by_pair(bodies.strength.size()) ? direct_ : multipole_;
-}
+OwnGravity<D>::OwnGravity(double gravitational_constant, const SumChoice& choice)
+    : gravitational_constant_(gravitational_constant),
+      are_points_(choice.core == "point"),
+      sums_(choice, few) {}
 
 template <int D>
 void OwnGravity<D>::accelerate(const Sources<D>& bodies, std::span<double> acceleration) {
-  if (has_pairs_of_points_ && bodies.strength.size() <= few_bodies::most)
-    return few_bodies::accelerate<D>(options_.gravitational_constant, bodies.strength,
-                                     bodies.position, acceleration);
+  const std::size_t count = bodies.strength.size();
+  if (are_points_ && count <= few_bodies::most && sums_.is_direct(count))
+    return few_bodies::accelerate<D>(gravitational_constant_, bodies.strength, bodies.position,
+                                     acceleration);
   sum_for(bodies).at_sources(bodies, {{}, acceleration});
-  for (double& component : acceleration) component *= -options_.gravitational_constant;
+  for (double& component : acceleration) component *= -gravitational_constant_;
 }
 
 template <int D>
 void OwnGravity<D>::find_potential(const Sources<D>& bodies, std::span<double> potential) {
   sum_for(bodies).at_sources(bodies, {potential, {}});
-  for (double& value : potential) value *= options_.gravitational_constant;
+  for (double& value : potential) value *= gravitational_constant_;
 }
 
 template <int D>

@@ -1,26 +1,19 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
+#include "mote/models/chosen_sum.hpp"
 #include "mote/sums/gravity.hpp"
 
 namespace mote {
-
-struct OwnGravityOptions {
-  double gravitational_constant = 1;
-  std::string method = "automatic";  ///< or a name of `sum_methods`
-  double tolerance = 1e-8;           ///< of multipole
-  std::string core = "point";
-};
 
 /// What bodies do to each other by gravity. Nothing here depends on what it was asked before, or on
 /// the number of threads.
 template <int D>
 class OwnGravity {
  public:
-  explicit OwnGravity(const OwnGravityOptions& options);
+  OwnGravity(double gravitational_constant, const SumChoice& choice);
 
   /// -G grad phi at every body, D numbers each.
   void accelerate(const Sources<D>& bodies, std::span<double> acceleration);
@@ -29,14 +22,14 @@ class OwnGravity {
   /// G/2 sum of m phi: of every pair once.
   double energy(const Sources<D>& bodies);
   /// Whether so many bodies are summed pair by pair.
-  bool sums_pair_by_pair(std::size_t bodies) const;
+  bool sums_pair_by_pair(std::size_t bodies) const { return sums_.is_direct(bodies); }
 
  private:
-  Gravity<D>& sum_for(const Sources<D>& bodies);
+  Gravity<D>& sum_for(const Sources<D>& bodies) { return sums_.of(bodies.strength.size()); }
 
-  OwnGravityOptions options_;
-  bool has_pairs_of_points_;  ///< unless there are too many
-  Gravity<D> direct_, multipole_;
+  double gravitational_constant_;
+  bool are_points_;
+  ChosenSum<Gravity<D>> sums_;
   std::vector<double> potential_;  ///< work
 };
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mote/models/induced_velocity.hpp"
+#include "mote/models/chosen_sum.hpp"
 #include "mote/models/vortex.hpp"
 #include "mote/models/vortex_outlines.hpp"
 #include "mote/particles/failure.hpp"
@@ -34,13 +34,10 @@ constexpr Word<Stretching> stretchings[] = {
      "d alpha/dt = (grad u)^T alpha: what two vortices give each other adds up to nothing"},
     {Stretching::classical, "classical", "d alpha/dt = (alpha . grad) u"}};
 
-const Choices sums{{"automatic", "direct for few vortices, multipole for many"},
-                   {"direct", "pair by pair"},
-                   {"multipole", "an adaptive fast multipole method"}};
-
 void describe_core(Description& d, VortexOptions& options) {
   d.variant(
-      {"name", "its form"}, options.core, vortex_core_choices(), [&](const std::string& name) {
+      {"name", "its form"}, options.core, core_choices("none: a point vortex"),
+      [&](const std::string& name) {
         if (name == "point") return;
         d.number({"overlap", "its size in spacings; default: 1.5"}, options.overlap, positive);
         d.number({"size", "its size itself, in place of 'overlap'"}, options.core_size, positive);
@@ -101,7 +98,7 @@ void VortexOptions::describe(Description& d) {
   d.section({"core", "how the circulation of a vortex is spread"},
             [&] { describe_core(d, *this); });
   d.section({"sum", "how velocities are summed in an unbounded fluid"}, [&] {
-    d.choice({"method", "which way"}, sum, sums);
+    d.choice({"method", "which way"}, sum, sum_choices("vortices"));
     d.number({"tolerance", "of the multipole method: error over the largest velocity"}, tolerance,
              {1e-13, 1e-3});
   });

@@ -81,7 +81,7 @@ TEST(FewBodies, DoNothingToOneOnTheirOwnPlace) {
 TEST(FewBodies, AreThoseOfTheSumForMany) {
   for (const std::size_t count : {few_bodies::most, few_bodies::most + 1}) {
     const Masses bodies = scattered<3>(count);
-    OwnGravity<3> gravity({0.7, "automatic", 1e-8, "point"});
+    OwnGravity<3> gravity(0.7, {});
     std::vector<double> result(3 * count);
     gravity.accelerate({bodies.position, bodies.mass, 0}, result);
     const auto exact = literal_sum<3>(0.7, bodies);
