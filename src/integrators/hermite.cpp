@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace mote {
 
@@ -10,58 +9,63 @@ namespace {
 
 using Numbers = std::vector<long double>;
 
-/// Nodes in the order of Newton's polynomial, each as often as something is known there, at times
-/// from the nearest one in units of `step`.
+/// Nodes in the order of Newton's polynomials, each as often as something is known there, at times
+/// from the nearest one in units of the time that all of them span.
 struct NewtonNodes {
   Numbers place;
-  std::vector<int> node;
-  long double step;
+  std::vector<std::size_t> node;
+  long double span;
 };
 
-NewtonNodes newton_nodes(std::span<const double> times, int derivatives, int nearest) {
-  const auto [first, last] = std::minmax_element(times.begin(), times.end());
-  const long double origin = times[nearest];
-  NewtonNodes nodes{{}, {}, times.size() > 1 ? (*last - origin) + (origin - *first) : 1.0L};
-  const auto add = [&](int node) {
-    nodes.place.insert(nodes.place.end(), derivatives + 1, (times[node] - origin) / nodes.step);
-    nodes.node.insert(nodes.node.end(), derivatives + 1, node);
+NewtonNodes newton_nodes(std::span<const HermiteNode> nodes, std::size_t nearest) {
+  const auto [first, last] = std::ranges::minmax(nodes, {}, &HermiteNode::time);
+  const long double origin = nodes[nearest].time;
+  NewtonNodes result{{}, {}, (last.time - origin) + (origin - first.time)};
+  if (nodes.size() == 1) result.span = 1;
+  const auto add = [&](std::size_t node) {
+    const int known = nodes[node].derivatives + 1;
+    result.place.insert(result.place.end(), known, (nodes[node].time - origin) / result.span);
+    result.node.insert(result.node.end(), known, node);
   };
   add(nearest);
-  for (int node = 0; node < static_cast<int>(times.size()); ++node)
+  for (std::size_t node = 0; node < nodes.size(); ++node)
     if (node != nearest) add(node);
-  return nodes;
+  return result;
 }
 
 /// Values and derivatives at `place` of Newton's polynomials 1, s - z_0, (s - z_0)(s - z_1), ...
-std::array<Numbers, 2> newton_polynomials(const NewtonNodes& nodes, long double place) {
-  Numbers values{1}, rates{0};
+struct NewtonPolynomials {
+  Numbers value{1}, rate{0};
+};
+
+NewtonPolynomials newton_polynomials(const NewtonNodes& nodes, long double place) {
+  NewtonPolynomials polynomials;
+  auto& [value, rate] = polynomials;
   for (std::size_t k = 0; k + 1 < nodes.place.size(); ++k) {
     const long double away = place - nodes.place[k];
-    rates.push_back(rates[k] * away + values[k]);
-    values.push_back(values[k] * away);
+    rate.push_back(rate[k] * away + value[k]);
+    value.push_back(value[k] * away);
   }
-  return {values, rates};
+  return polynomials;
 }
 
-/// A number for each derivative at each node.
-using PerKnown =
-    std::array<std::array<long double, most_hermite_derivatives + 1>, most_hermite_nodes>;
-
-/// What each known number counts for in the sum of `factors` times f[z_0], f[z_0, z_1], ...: the
-/// table of divided differences read backwards. A difference
+/// What each known number counts for in the sum of `factors` times f[z_0], f[z_0, z_1], ..., by
+/// node and order: the table of divided differences read backwards. A difference
 ///   f[z_i, ..., z_i+l] = (f[z_i+1, ..., z_i+l] - f[z_i, ..., z_i+l-1])/(z_i+l - z_i)
 /// hands on what it counts for to the two that it is made of; if all its nodes are one, it is
 /// f^(l)/l! there.
-PerKnown read_backwards(const NewtonNodes& nodes, const Numbers& factors) {
-  constexpr std::array<long double, most_hermite_derivatives + 1> factorial{1, 1, 2};
-  PerKnown counts{};
+std::vector<Numbers> read_backwards(const NewtonNodes& nodes, const Numbers& factors,
+                                    std::size_t node_count) {
+  std::vector<Numbers> counts(node_count, Numbers(factors.size()));
   Numbers share(1);
+  long double factorial = std::tgamma(static_cast<long double>(factors.size() + 1));
   for (std::size_t level = factors.size(); level-- > 0;) {
+    factorial /= static_cast<long double>(level + 1);
     share[0] += factors[level];
     Numbers next(share.size() + 1);
     for (std::size_t i = 0; i < share.size(); ++i) {
       if (nodes.node[i] == nodes.node[i + level]) {
-        counts[nodes.node[i]][level] += share[i] / factorial[level];
+        counts[nodes.node[i]][level] += share[i] / factorial;
         continue;
       }
       const long double part = share[i] / (nodes.place[i + level] - nodes.place[i]);
@@ -73,26 +77,25 @@ PerKnown read_backwards(const NewtonNodes& nodes, const Numbers& factors) {
   return counts;
 }
 
-int nearest_of(std::span<const double> times, double time) {
-  const auto nearer = [time](double a, double b) {
-    return std::abs(a - time) < std::abs(b - time);
-  };
-  return static_cast<int>(std::min_element(times.begin(), times.end(), nearer) - times.begin());
+std::size_t nearest_of(std::span<const HermiteNode> nodes, double time) {
+  const auto away = [time](const HermiteNode& node) { return std::abs(node.time - time); };
+  return std::ranges::min_element(nodes, {}, away) - nodes.begin();
 }
 
 }  // namespace
 
-HermiteWeights::HermiteWeights(std::span<const double> times, int derivatives, double time)
-    : nearest_(nearest_of(times, time)) {
-  const NewtonNodes nodes = newton_nodes(times, derivatives, nearest_);
-  const long double place = (static_cast<long double>(time) - times[nearest_]) / nodes.step;
-  const auto [values, rates] = newton_polynomials(nodes, place);
-  const PerKnown in_value = read_backwards(nodes, values), in_rate = read_backwards(nodes, rates);
-  for (std::size_t node = 0; node < times.size(); ++node) {
-    long double unit = 1;  // of the derivative, in steps
-    for (int order = 0; order <= derivatives; ++order, unit *= nodes.step)
-      weight_[node][order] = {static_cast<double>(in_value[node][order] * unit),
-                              static_cast<double>(in_rate[node][order] * unit / nodes.step)};
+HermiteWeights::HermiteWeights(std::span<const HermiteNode> nodes, double time)
+    : weight_(nodes.size()), nearest_(nearest_of(nodes, time)) {
+  const NewtonNodes newton = newton_nodes(nodes, nearest_);
+  const long double place = (time - static_cast<long double>(nodes[nearest_].time)) / newton.span;
+  const NewtonPolynomials polynomials = newton_polynomials(newton, place);
+  const auto in_value = read_backwards(newton, polynomials.value, nodes.size());
+  const auto in_rate = read_backwards(newton, polynomials.rate, nodes.size());
+  for (std::size_t node = 0; node < nodes.size(); ++node) {
+    long double unit = 1;  // of the derivative
+    for (int order = 0; order <= nodes[node].derivatives; ++order, unit *= newton.span)
+      weight_[node].push_back({static_cast<double>(in_value[node][order] * unit),
+                               static_cast<double>(in_rate[node][order] * unit / newton.span)});
   }
 }
 

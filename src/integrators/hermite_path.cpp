@@ -4,34 +4,11 @@
 #include <cstddef>
 
 #include "mote/integrators/hermite.hpp"
+#include "mote/integrators/rows.hpp"
 #include "mote/particles/failure.hpp"
 #include "mote/particles/parallel.hpp"
 
 namespace mote {
-
-namespace {
-
-void append(std::vector<double>& row, std::span<const double> values) {
-  row.insert(row.end(), values.begin(), values.end());
-}
-
-/// What `of` names of all parts, in a row.
-template <class Member>
-std::vector<double> in_a_row(std::span<const Evolving> parts, Member of) {
-  std::vector<double> row;
-  for (const Evolving& part : parts) append(row, part.*of);
-  return row;
-}
-
-/// Puts the values of all parts where they are in a row.
-void spread(std::span<const double> row, std::span<const Evolving> parts) {
-  for (const Evolving& part : parts) {
-    std::copy_n(row.begin(), part.value.size(), part.value.begin());
-    row = row.subspan(part.value.size());
-  }
-}
-
-}  // namespace
 
 void HermitePath::add_node(System& system, double time) {
   if (!nodes_.empty() && nodes_.back().time == time) nodes_.pop_back();
@@ -50,9 +27,9 @@ void HermitePath::add_node(System& system, double time) {
 }
 
 void HermitePath::go_to(System& system, double time) const {
-  std::vector<double> times;
-  for (const Node& node : nodes_) times.push_back(node.time);
-  const HermiteWeights weights(times, derivatives_, time);
+  std::vector<HermiteNode> nodes;
+  for (const Node& node : nodes_) nodes.push_back({node.time, derivatives_});
+  const HermiteWeights weights(nodes, time);
   const std::vector<double>& origin = nodes_[weights.nearest()].derivative[0];
   const auto size = static_cast<std::ptrdiff_t>(origin.size());
   std::vector<double> value(size), rate(size);
@@ -61,7 +38,7 @@ void HermitePath::go_to(System& system, double time) const {
     double change = 0, velocity = 0;
     for (std::size_t node = 0; node < nodes_.size(); ++node)
       for (int order = 0; order <= derivatives_; ++order) {
-        const auto& [in_value, in_rate] = weights.weight(static_cast<int>(node), order);
+        const auto& [in_value, in_rate] = weights.at(node)[order];
         const double known = nodes_[node].derivative[order][i] - (order == 0 ? origin[i] : 0);
         change += in_value * known;
         velocity += in_rate * known;
@@ -92,17 +69,10 @@ void HermitePath::recall(std::span<const double> memory) {
     throw InputError("the nodes kept in the snapshot are not those of this path");
   nodes_.clear();
   memory = memory.subspan(1);
-  const auto taken = [&memory](std::size_t numbers) {
-    const std::span<const double> front = memory.first(numbers);
-    memory = memory.subspan(numbers);
-    return front;
-  };
   for (std::size_t k = 0; k < count; ++k) {
-    Node node{taken(1)[0], {}};
-    for (int order = 0; order <= derivatives_; ++order) {
-      const std::span<const double> row = taken(size);
-      node.derivative.emplace_back(row.begin(), row.end());
-    }
+    Node node{take_front(memory, 1)[0], {}};
+    for (int order = 0; order <= derivatives_; ++order)
+      node.derivative.push_back(take_front(memory, size));
     nodes_.push_back(std::move(node));
   }
 }

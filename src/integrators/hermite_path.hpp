@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "mote/integrators/path.hpp"
+#include "mote/integrators/rows.hpp"
 
 namespace mote {
 
@@ -25,10 +26,10 @@ class HermitePath : public Path {
   HermitePath(int steps, int derivatives) : steps_(steps), derivatives_(derivatives) {}
 
  private:
-  /// Values and derivatives of all parts in a row.
+  /// Places, velocities and, if wanted, accelerations.
   struct Node {
     double time;
-    std::vector<std::vector<double>> derivative;
+    std::vector<Row> derivative;
   };
 
   int steps_, derivatives_;

@@ -30,7 +30,9 @@ double distance(const std::array<double, 2>& a, const std::array<double, 2>& b) 
 
 /// Position and velocity of the polynomial through these nodes.
 OrbitState interpolated(const Nodes& nodes, int derivatives, double time) {
-  const HermiteWeights weights(nodes.time, derivatives, time);
+  std::vector<HermiteNode> hermite_nodes;
+  for (const double node : nodes.time) hermite_nodes.push_back({node, derivatives});
+  const HermiteWeights weights(hermite_nodes, time);
   const auto& origin = nodes.state[weights.nearest()].position;
   OrbitState result{origin, {}, {}};
   for (std::size_t node = 0; node < nodes.time.size(); ++node) {
@@ -38,7 +40,7 @@ OrbitState interpolated(const Nodes& nodes, int derivatives, double time) {
     for (std::size_t d = 0; d < 2; ++d) {
       const std::array<double, 3> known{position[d] - origin[d], velocity[d], acceleration[d]};
       for (int order = 0; order <= derivatives; ++order) {
-        const HermiteWeight& weight = weights.weight(static_cast<int>(node), order);
+        const HermiteWeight& weight = weights.at(node)[order];
         result.position[d] += weight.value * known[order];
         result.velocity[d] += weight.rate * known[order];
       }
