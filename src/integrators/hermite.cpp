@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+
+#include "mote/particles/parallel.hpp"
 
 namespace mote {
 
@@ -97,6 +100,30 @@ HermiteWeights::HermiteWeights(std::span<const HermiteNode> nodes, double time)
       weight_[node].push_back({static_cast<double>(in_value[node][order] * unit),
                                static_cast<double>(in_rate[node][order] * unit / newton.span)});
   }
+}
+
+Interpolated interpolate(std::span<const KnownNode> nodes, double time) {
+  std::vector<HermiteNode> places;
+  for (const auto& [at, derivative] : nodes)
+    places.push_back({at, static_cast<int>(derivative.size()) - 1});
+  const HermiteWeights weights(places, time);
+  const Row& origin = nodes[weights.nearest()].derivative[0];
+  const auto size = static_cast<std::ptrdiff_t>(origin.size());
+  Interpolated result{Row(origin.size()), Row(origin.size())};
+#pragma omp parallel for schedule(static) if (size >= parallel_from)
+  for (std::ptrdiff_t i = 0; i < size; ++i) {
+    double change = 0, rate = 0;
+    for (std::size_t node = 0; node < nodes.size(); ++node)
+      for (std::size_t order = 0; order < nodes[node].derivative.size(); ++order) {
+        const HermiteWeight& weight = weights.at(node)[order];
+        const double known = nodes[node].derivative[order][i] - (order == 0 ? origin[i] : 0);
+        change += weight.value * known;
+        rate += weight.rate * known;
+      }
+    result.value[i] = origin[i] + change;
+    result.rate[i] = rate;
+  }
+  return result;
 }
 
 }  // namespace mote

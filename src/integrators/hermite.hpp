@@ -3,6 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "mote/integrators/rows.hpp"
+
 namespace mote {
 
 /// Where a polynomial is given by its value and this many derivatives.
@@ -24,7 +26,8 @@ struct HermiteWeight {
 /// is lost. They serve every component of a system.
 ///
 /// At t = t_j, P and P' are y_j and y_j' to the bit. To lose nothing where values are larger than
-/// their changes, use the weights on differences from `nearest`: the weights of values add to 1.
+/// their changes, use the weights on differences from the value at `nearest`: those of values add
+/// to 1.
 class HermiteWeights {
  public:
   /// For one or more nodes at different times.
@@ -40,5 +43,17 @@ class HermiteWeights {
   std::vector<std::vector<HermiteWeight>> weight_;
   std::size_t nearest_;
 };
+
+/// A node with what is known there: a row of values, and one for each derivative.
+struct KnownNode {
+  double time;
+  std::vector<Row> derivative;
+};
+
+/// Values and rates of change of the polynomials through such nodes.
+struct Interpolated {
+  Row value, rate;
+};
+Interpolated interpolate(std::span<const KnownNode> nodes, double time);
 
 }  // namespace mote

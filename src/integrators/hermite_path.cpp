@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "mote/integrators/hermite.hpp"
-#include "mote/integrators/rows.hpp"
 #include "mote/particles/failure.hpp"
-#include "mote/particles/parallel.hpp"
 
 namespace mote {
 
 void HermitePath::add_node(System& system, double time) {
   if (!nodes_.empty() && nodes_.back().time == time) nodes_.pop_back();
-  Node node{
+  KnownNode node{
       time,
       {in_a_row(system.drifted(), &Evolving::value), in_a_row(system.kicked(), &Evolving::value)}};
   if (derivatives_ > 1) {
@@ -23,35 +20,18 @@ void HermitePath::add_node(System& system, double time) {
     node.derivative.push_back(in_a_row(system.kicked(), &Evolving::rate));
   }
   nodes_.push_back(std::move(node));
-  if (static_cast<int>(nodes_.size()) > steps_ + 1) nodes_.pop_front();
+  if (static_cast<int>(nodes_.size()) > steps_ + 1) nodes_.erase(nodes_.begin());
 }
 
 void HermitePath::go_to(System& system, double time) const {
-  std::vector<HermiteNode> nodes;
-  for (const Node& node : nodes_) nodes.push_back({node.time, derivatives_});
-  const HermiteWeights weights(nodes, time);
-  const std::vector<double>& origin = nodes_[weights.nearest()].derivative[0];
-  const auto size = static_cast<std::ptrdiff_t>(origin.size());
-  std::vector<double> value(size), rate(size);
-#pragma omp parallel for schedule(static) if (size >= parallel_from)
-  for (std::ptrdiff_t i = 0; i < size; ++i) {
-    double change = 0, velocity = 0;
-    for (std::size_t node = 0; node < nodes_.size(); ++node)
-      for (int order = 0; order <= derivatives_; ++order) {
-        const auto& [in_value, in_rate] = weights.at(node)[order];
-        const double known = nodes_[node].derivative[order][i] - (order == 0 ? origin[i] : 0);
-        change += in_value * known;
-        velocity += in_rate * known;
-      }
-    value[i] = origin[i] + change;
-    rate[i] = velocity;
-  }
+  const auto [value, rate] = interpolate(nodes_, time);
   spread(value, system.drifted());
   spread(rate, system.kicked());
 }
 
 /// The number of nodes that the next polynomials go through, then the nodes: time, and rows.
 std::vector<double> HermitePath::memory() const {
+  if (nodes_.empty()) return {};
   const std::size_t kept = std::min(nodes_.size(), static_cast<std::size_t>(steps_));
   std::vector<double> memory{static_cast<double>(kept)};
   for (std::size_t node = nodes_.size() - kept; node < nodes_.size(); ++node) {
@@ -62,15 +42,16 @@ std::vector<double> HermitePath::memory() const {
 }
 
 void HermitePath::recall(std::span<const double> memory) {
-  const std::size_t count = memory.empty() ? 0 : static_cast<std::size_t>(memory[0]);
+  nodes_.clear();
+  if (memory.empty()) return;
+  const auto count = static_cast<std::size_t>(memory[0]);
   const std::size_t rows = count * (derivatives_ + 1);
-  const std::size_t size = count > 0 ? (memory.size() - 1 - count) / rows : 0;
+  const std::size_t size = (memory.size() - 1 - count) / std::max<std::size_t>(rows, 1);
   if (memory.size() != 1 + count + rows * size)
     throw InputError("the nodes kept in the snapshot are not those of this path");
-  nodes_.clear();
   memory = memory.subspan(1);
   for (std::size_t k = 0; k < count; ++k) {
-    Node node{take_front(memory, 1)[0], {}};
+    KnownNode node{take_front(memory, 1)[0], {}};
     for (int order = 0; order <= derivatives_; ++order)
       node.derivative.push_back(take_front(memory, size));
     nodes_.push_back(std::move(node));

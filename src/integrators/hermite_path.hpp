@@ -1,10 +1,9 @@
 #pragma once
 
-#include <deque>
 #include <string_view>
 
+#include "mote/integrators/hermite.hpp"
 #include "mote/integrators/path.hpp"
-#include "mote/integrators/rows.hpp"
 
 namespace mote {
 
@@ -26,14 +25,8 @@ class HermitePath : public Path {
   HermitePath(int steps, int derivatives) : steps_(steps), derivatives_(derivatives) {}
 
  private:
-  /// Places, velocities and, if wanted, accelerations.
-  struct Node {
-    double time;
-    std::vector<Row> derivative;
-  };
-
   int steps_, derivatives_;
-  std::deque<Node> nodes_;
+  std::vector<KnownNode> nodes_;  ///< places, velocities and, if wanted, accelerations
 };
 
 class CubicHermite final : public HermitePath {
