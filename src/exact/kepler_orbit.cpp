@@ -47,7 +47,7 @@ long double eccentric_anomaly(long double mean_anomaly, long double eccentricity
   }
 }
 
-KeplerOrbit::KeplerOrbit(KeplerElements elements) : elements_(elements) {
+KeplerOrbit::KeplerOrbit(const KeplerElements& elements) : elements_(elements) {
   const auto& [mu, a, e, direction, time_of_pericentre] = elements_;
   if (!(mu > 0 && a > 0 && 0 <= e && e < 1 && std::isfinite(mu) && std::isfinite(a) &&
         std::isfinite(direction) && std::isfinite(time_of_pericentre)))

@@ -31,7 +31,7 @@ long double eccentric_anomaly(long double mean_anomaly, long double eccentricity
 class KeplerOrbit {
  public:
   /// Throws std::domain_error unless the elements are those of an ellipse.
-  explicit KeplerOrbit(KeplerElements elements);
+  explicit KeplerOrbit(const KeplerElements& elements);
 
   OrbitState at(double time) const;
   double period() const;

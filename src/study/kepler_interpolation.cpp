@@ -13,58 +13,41 @@ namespace {
 
 constexpr int samples = 10;  // in a sub-interval
 
-/// The nodes of a polynomial, and what is known there.
-struct Nodes {
-  std::vector<double> time;
-  std::vector<OrbitState> state;
-};
-
 struct Scheme {
   int steps, derivatives;
 };
 constexpr std::array<Scheme, 4> schemes{{{1, 1}, {1, 2}, {2, 2}, {3, 2}}};
 
-double distance(const std::array<double, 2>& a, const std::array<double, 2>& b) {
+Row row(const std::array<double, 2>& vector) { return {vector[0], vector[1]}; }
+
+double distance(const Row& a, const std::array<double, 2>& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
 
-/// Position and velocity of the polynomial through these nodes.
-OrbitState interpolated(const Nodes& nodes, int derivatives, double time) {
-  std::vector<HermiteNode> hermite_nodes;
-  for (const double node : nodes.time) hermite_nodes.push_back({node, derivatives});
-  const HermiteWeights weights(hermite_nodes, time);
-  const auto& origin = nodes.state[weights.nearest()].position;
-  OrbitState result{origin, {}, {}};
-  for (std::size_t node = 0; node < nodes.time.size(); ++node) {
-    const auto& [position, velocity, acceleration] = nodes.state[node];
-    for (std::size_t d = 0; d < 2; ++d) {
-      const std::array<double, 3> known{position[d] - origin[d], velocity[d], acceleration[d]};
-      for (int order = 0; order <= derivatives; ++order) {
-        const HermiteWeight& weight = weights.at(node)[order];
-        result.position[d] += weight.value * known[order];
-        result.velocity[d] += weight.rate * known[order];
-      }
-    }
+/// Nodes with this many derivatives at equal distances over the first period.
+std::vector<KnownNode> nodes_on(const KeplerOrbit& orbit, int sub_intervals, int derivatives) {
+  std::vector<KnownNode> nodes;
+  for (int k = 0; k <= sub_intervals; ++k) {
+    const double time = k * orbit.period() / sub_intervals;
+    const auto [position, velocity, acceleration] = orbit.at(time);
+    nodes.push_back({time, {row(position), row(velocity), row(acceleration)}});
+    nodes.back().derivative.resize(derivatives + 1);
   }
-  return result;
+  return nodes;
 }
 
-Nodes some(const Nodes& all, int first, int count) {
-  return {{all.time.begin() + first, all.time.begin() + first + count},
-          {all.state.begin() + first, all.state.begin() + first + count}};
-}
-
-InterpolationError largest_error(const KeplerOrbit& orbit, const Nodes& all, Scheme scheme) {
+InterpolationError largest_error(const KeplerOrbit& orbit, int sub_intervals, Scheme scheme) {
+  const std::vector<KnownNode> all = nodes_on(orbit, sub_intervals, scheme.derivatives);
   InterpolationError largest{};
-  for (std::size_t k = 1; k < all.time.size(); ++k) {
-    const int first = std::max(static_cast<int>(k) - scheme.steps, 0);
-    const Nodes nodes = some(all, first, scheme.steps + 1);
+  for (int k = 1; k <= sub_intervals; ++k) {
+    const int first = std::max(k - scheme.steps, 0);
+    const auto nodes = std::span(all).subspan(first, scheme.steps + 1);
     for (int sample = 1; sample < samples; ++sample) {
-      const double time = std::lerp(all.time[k - 1], all.time[k], 1.0 * sample / samples);
+      const double time = std::lerp(all[k - 1].time, all[k].time, 1.0 * sample / samples);
       const OrbitState exact = orbit.at(time);
-      const OrbitState found = interpolated(nodes, scheme.derivatives, time);
-      largest = {std::max(largest.position, distance(found.position, exact.position)),
-                 std::max(largest.velocity, distance(found.velocity, exact.velocity))};
+      const Interpolated found = interpolate(nodes, time);
+      largest = {std::max(largest.position, distance(found.value, exact.position)),
+                 std::max(largest.velocity, distance(found.rate, exact.velocity))};
     }
   }
   return largest;
@@ -74,14 +57,9 @@ InterpolationError largest_error(const KeplerOrbit& orbit, const Nodes& all, Sch
 
 InterpolationErrors kepler_interpolation_errors(double eccentricity, int sub_intervals) {
   const KeplerOrbit orbit({.eccentricity = eccentricity});
-  Nodes nodes;
-  for (int k = 0; k <= sub_intervals; ++k) {
-    nodes.time.push_back(k * orbit.period() / sub_intervals);
-    nodes.state.push_back(orbit.at(nodes.time.back()));
-  }
   InterpolationErrors errors{};
   for (std::size_t s = 0; s < schemes.size(); ++s)
-    errors[s] = largest_error(orbit, nodes, schemes[s]);
+    errors[s] = largest_error(orbit, sub_intervals, schemes[s]);
   return errors;
 }
 
