@@ -4,16 +4,19 @@
 #include <vector>
 
 #include "mote/models/bodies_options.hpp"
+#include "mote/models/collisions.hpp"
 #include "mote/models/own_gravity.hpp"
 
 namespace mote {
 
 /// Bodies under their own gravity in unbounded space: dx/dt = v, dv/dt = -G grad phi, with the
-/// potential phi of all others. They are points, or have their mass spread by a core.
+/// potential phi of all others. They are points, or have their mass spread by a core. Single masses
+/// with a radius are watched for collisions, which change nothing.
 template <int D>
 class Bodies final : public Model {
  public:
-  /// Throws InputError for a set-up that does not fit, and for two bodies on one place.
+  /// Throws InputError for a set-up that does not fit, and for two bodies on one place or in
+  /// contact.
   Bodies(const BodiesOptions& options, SpaceSetup setup);
 
   Cloud& cloud() override { return cloud_; }
@@ -27,6 +30,8 @@ class Bodies final : public Model {
   void update_drift_rates(double /*time*/) override {}
   void update_kick_rates(double time) override;
 
+  void begin_step(double time, double step) override;
+  void end_step(double time, double step) override;
   void update_dependent_fields() override;
   void complete_fields() override;
   void inspect() const override;
@@ -36,7 +41,9 @@ class Bodies final : public Model {
   std::vector<Reading> readings() const override;
   std::vector<StepLimit> step_limits() override { return {}; }
   double longest_step(double time, double courant) override;
-  PairWork pair_work() const override { return {}; }
+  /// Pairs are counted where they are summed one by one.
+  PairWork pair_work() const override;
+  std::vector<std::string> warnings() const override;
   std::vector<std::string> remarks() const override;
   std::span<const Body> bodies() const override { return start_.bodies; }
   double spacing() const override { return start_.spacing; }
@@ -51,6 +58,13 @@ class Bodies final : public Model {
   }
   Vec<D> weighted_mean(std::span<const double> vectors) const;
   double virial_ratio() const;
+  double least_separation() const;
+  void refuse_contact() const;
+  /// Contacts so far, those before a restart too.
+  std::int64_t collisions() const;
+  std::string collisions_in_words() const;
+
+  static constexpr std::size_t told_collisions = 5;
 
   BodiesOptions options_;
   SpaceStart start_;
@@ -59,6 +73,10 @@ class Bodies final : public Model {
   std::span<double> position_, velocity_, acceleration_, mass_, potential_;
   std::vector<Evolving> drifted_, kicked_;
   std::vector<double> accelerated_at_;  ///< places that the accelerations are of
+  std::int64_t evaluations_ = 0;        ///< times that accelerations were formed
+  Collisions<D> collisions_;
+  std::span<double> met_;  ///< contacts that each body has begun, if any are watched for
+  std::vector<Collision> first_collisions_;
 };
 
 extern template class Bodies<2>;
