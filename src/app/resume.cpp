@@ -43,7 +43,7 @@ int resume(const Catalogue& catalogue, const RunOptions& options) {
   }
   folder.history().resume(last.moment, history_columns(simulation));
   folder.restore_series();
-  return RunLoop(simulation, folder, progress_style(options), last.moment).go_on();
+  return RunLoop(simulation, folder, progress_style(options), last.moment, last.restart).go_on();
 }
 
 }  // namespace mote

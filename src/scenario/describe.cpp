@@ -115,6 +115,17 @@ void describe_time(Description& d, Scenario::Time& time, const Catalogue& catalo
            {0, 1, true});
   d.number({"step", "longest time step; in space there may be none"}, time.step, positive);
   d.number({"end", "time at which the run ends", true}, time.end, positive);
+  d.number(
+      {"tolerance",
+       "of integrators that choose their steps: error of a step, relative to the largest value "
+       "of its kind; default: the integrator's"},
+      time.tolerance, {1e-18, 1});
+  Choices paths{{"none", "steps end at every snapshot"},
+                {"own", "the path that the integrator itself gives between the ends of steps"}};
+  for (const PathEntry& path : catalogue.paths) paths.push_back(path);
+  d.choice(
+      {"dense_output", "what gives the state at snapshots, so that steps know nothing of them"},
+      time.dense_output, paths);
 }
 
 void describe_output(Description& d, Scenario::Output& output) {

@@ -74,12 +74,16 @@ void fill_defaults_in_space(Scenario& scenario) {
   auto& particles = scenario.particles;
   if (particles.layout.empty()) particles.layout = "lattice";
   if (particles.layout == "jittered" && !particles.jitter) particles.jitter = 0.2;
-  const bool step_is_all = scenario.time.step && scenario.model->step_suffices();
+  const bool step_is_all =
+      (scenario.time.step || scenario.time.tolerance) && scenario.model->step_suffices();
   if (!scenario.time.courant && !step_is_all) scenario.time.courant = 0.25;
 }
 
 /// What the defaults depend on is known only now.
-void fill_defaults(Scenario& scenario) {
+void fill_defaults(Scenario& scenario, const Catalogue& catalogue) {
+  if (!scenario.time.tolerance)
+    scenario.time.tolerance =
+        entry_named(catalogue.integrators, scenario.time.integrator).default_tolerance;
   auto& output = scenario.output;
   if (!output.every) output.every = scenario.time.end / 10;
   if (*output.every > scenario.time.end) output.every = scenario.time.end;
@@ -125,7 +129,7 @@ Scenario read_scenario(const Document& document, const Catalogue& catalogue) {
   check_line_or_space(scenario, document);
   check_together(scenario, document);
   check_comparison(scenario.compare, document);
-  fill_defaults(scenario);
+  fill_defaults(scenario, catalogue);
   return scenario;
 }
 
