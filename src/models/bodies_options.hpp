@@ -57,6 +57,8 @@ class BodiesRecipe final : public ModelRecipe {
 
   bool lives_on_a_line() const override { return false; }
   bool step_suffices() const override { return true; }
+  bool needs_operator() const override { return false; }
+  bool needs_domain() const override { return false; }
   std::optional<double> own_particles() const override;
   void describe(Description& description) override { options.describe(description); }
   std::vector<InitialField> initial_fields(int /*dimension*/) const override { return {}; }

@@ -158,8 +158,10 @@ std::vector<std::string> Bodies<D>::remarks() const {
           ? "points"
           : fmt::format("spread by '{}' of size {:.6g}", options_.core, options_.core_size);
   std::vector<std::string> remarks{
-      fmt::format("{} bodies, {}, under gravity that was summed {}.", cloud_.count(), form, sums),
-      "Space has no bounds: the domain only says where the bodies are expected."};
+      fmt::format("{} bodies, {}, under gravity that was summed {}.", cloud_.count(), form, sums)};
+  if (start_.lower != start_.upper)
+    remarks.emplace_back(
+        "Space has no bounds: the domain only says where the bodies are expected.");
   if (collisions_.exist() && collisions() == 0)
     remarks.emplace_back("No bodies with a radius collided, within steps or at their ends.");
   return remarks;

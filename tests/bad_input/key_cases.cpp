@@ -78,7 +78,11 @@ TEST_P(MissingKey, IsRefused) { expect_refused(); }
 const std::vector<ScenarioCase> missing_keys{
     {"name", line(1, ""), "the scenario lacks the key 'name'"},
     {"dimension", line(2, ""), "the scenario lacks the key 'dimension'"},
-    {"constants", lines({{3, ""}, {4, "domain: {lower: [0], upper: [@L]}"}}), "unknown name 'L'"},
+    {"constants",
+     lines({{3, ""},
+            {4, "domain: {lower: [0], upper: [@L]}"},
+            {9, "model: {type: pressureless_gas}"}}),
+     "unknown name 'L'"},
     {"domain", line(4, ""), "the scenario lacks the key 'domain'"},
     {"particles", line(5, ""), "the scenario lacks the key 'particles'"},
     {"initial", lines({{6, ""}, {7, ""}, {8, ""}}), "the scenario lacks the key 'initial'"},
