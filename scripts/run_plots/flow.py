@@ -162,6 +162,19 @@ def arrange(panels, kinds):
     return figure, pictures, below
 
 
+def draw_histories(figure, history, kinds, dimension, summary):
+    """A panel for each kind of what was observed, two in a row."""
+    if not kinds:
+        return
+    grid = figure.subplots(-(-len(kinds) // 2), min(2, len(kinds)), squeeze=False)
+    for axes, (kind, columns) in zip(grid.flat, kinds.items()):
+        text = (f"{ERROR} [–]" if kind == ERROR
+                else label(kind, unit_of(kind, dimension), summary))
+        draw_history(axes, history, columns, text, summary)
+    for axes in grid.flat[len(kinds):]:
+        axes.axis("off")
+
+
 def draw_flow(folder, shown, summary):
     """The figure: speed and pressure of the particles, and the history of the run."""
     snapshot = FlowSnapshot(shown, ("velocity", "pressure", "vorticity", "potential"))
@@ -173,12 +186,5 @@ def draw_flow(folder, shown, summary):
     for axes, (panel, name, title) in zip(pictures, panels):
         panel.draw(axes, name, *fields[name], summary)
         axes.set_title(title, fontsize=9)
-    if kinds:
-        grid = below.subplots(-(-len(kinds) // 2), min(2, len(kinds)), squeeze=False)
-        for axes, (kind, columns) in zip(grid.flat, kinds.items()):
-            text = f"{ERROR} [–]" if kind == ERROR else label(
-                kind, unit_of(kind, snapshot.position.shape[1]), summary)
-            draw_history(axes, history, columns, text, summary)
-        for axes in grid.flat[len(kinds):]:
-            axes.axis("off")
+    draw_histories(below, history, kinds, snapshot.position.shape[1], summary)
     return figure
