@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -34,6 +35,13 @@ class HalfStages {
     for (std::size_t part = 0; part < parts_.size(); ++part)
       for (std::size_t i = 0; i < parts_[part].rate.size(); ++i)
         rate_[stage][part][i] = parts_[part].rate[i];
+  }
+
+  bool is_finite(std::size_t stage) const {
+    for (const auto& part : rate_[stage])
+      for (const double rate : part)
+        if (!std::isfinite(rate)) return false;
+    return true;
   }
 
   /// sum_s weight[s] * rate of stage s, in the order of s. What it returns is overwritten by the
@@ -89,6 +97,10 @@ class Stages {
     system.update_drift_rates(time);
     drifted.take(stage);
     kicked.take(stage);
+  }
+
+  bool is_finite(std::size_t stage) const {
+    return drifted.is_finite(stage) && kicked.is_finite(stage);
   }
 
   void go_to(std::span<const double> weights, double step) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "mote/integrators/system.hpp"
@@ -88,16 +89,24 @@ class ForcedOscillators final : public System {
   std::array<Evolving, 1> kicked_{{{velocity_, acceleration_}}};
 };
 
-/// A planet about a fixed sun, x'' = -x/|x|^3, on an ellipse of semi-major axis 1 whose period is
-/// 2 pi; at the pericentre at time 0. It counts how often accelerations are formed.
-class KeplerOrbit final : public System {
+/// Planets about a fixed sun that do not feel each other, x'' = -x/|x|^3, on one ellipse of
+/// semi-major axis 1 and period 2 pi: the first at its pericentre at time 0, the others behind by
+/// equal times. It counts how often accelerations are formed.
+class Planets final : public System {
  public:
-  explicit KeplerOrbit(double eccentricity)
-      : eccentricity_(eccentricity),
-        position_{1 - eccentricity, 0},
-        velocity_{0, std::sqrt((1 + eccentricity) / (1 - eccentricity))} {}
-  KeplerOrbit(const KeplerOrbit&) = delete;
-  KeplerOrbit& operator=(const KeplerOrbit&) = delete;
+  explicit Planets(double eccentricity, std::size_t count = 1)
+      : eccentricity_(eccentricity), count_(count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const Place start = exact(i, 0);
+      position_.insert(position_.end(), start.begin(), start.begin() + 2);
+      velocity_.insert(velocity_.end(), start.begin() + 2, start.end());
+    }
+    rate_ = acceleration_ = prepared_ = position_;
+    drifted_ = {{{position_, rate_}}};
+    kicked_ = {{{velocity_, acceleration_}}};
+  }
+  Planets(const Planets&) = delete;
+  Planets& operator=(const Planets&) = delete;
 
   std::span<const Evolving> drifted() override { return drifted_; }
   std::span<const Evolving> kicked() override { return kicked_; }
@@ -108,23 +117,26 @@ class KeplerOrbit final : public System {
   void update_drift_rates(double) override { rate_ = velocity_; }
   void update_kick_rates(double) override {
     ++evaluations;
-    const double distance = std::hypot(prepared_[0], prepared_[1]);
-    for (std::size_t c = 0; c < 2; ++c)
-      acceleration_[c] = -prepared_[c] / (distance * distance * distance);
+    for (std::size_t i = 0; i < 2 * count_; i += 2) {
+      const double distance = std::hypot(prepared_[i], prepared_[i + 1]);
+      for (const std::size_t c : {i, i + 1})
+        acceleration_[c] = -prepared_[c] / (distance * distance * distance);
+    }
   }
 
-  /// Distance in phase space from where the planet is at `time`: x = (cos E - e, s sin E) with
-  /// s^2 = 1 - e^2 and Kepler's equation E - e sin E = t.
+  /// Root mean square of the planets' distances, in phase space, from where they are at `time`.
   double error(double time) const {
-    const double e = eccentricity_, s = std::sqrt(1 - e * e);
-    double anomaly = time;
-    for (int k = 0; k < 60; ++k)
-      anomaly -= (anomaly - e * std::sin(anomaly) - time) / (1 - e * std::cos(anomaly));
-    const double cosine = std::cos(anomaly), sine = std::sin(anomaly), speed = 1 / (1 - e * cosine);
-    return std::hypot(std::hypot(position_[0] - (cosine - e), position_[1] - s * sine),
-                      std::hypot(velocity_[0] + speed * sine, velocity_[1] - speed * s * cosine));
+    double sum = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Place end = exact(i, time);
+      for (std::size_t c = 0; c < 2; ++c)
+        sum += std::pow(position_[2 * i + c] - end[c], 2) +
+               std::pow(velocity_[2 * i + c] - end[2 + c], 2);
+    }
+    return std::sqrt(sum / static_cast<double>(count_));
   }
 
+  /// Of the first planet; -1/2 at all times.
   double energy() const {
     return (velocity_[0] * velocity_[0] + velocity_[1] * velocity_[1]) / 2 -
            1 / std::hypot(position_[0], position_[1]);
@@ -133,10 +145,29 @@ class KeplerOrbit final : public System {
   int evaluations = 0;
 
  private:
+  using Place = std::array<double, 4>;
+
+  /// (cos E - e, s sin E) with s^2 = 1 - e^2 and Kepler's equation E - e sin E = t, and velocity.
+  Place exact(std::size_t planet, double time) const {
+    const double e = eccentricity_, s = std::sqrt(1 - e * e);
+    const double phase =
+        2 * std::numbers::pi * static_cast<double>(planet) / static_cast<double>(count_);
+    const double anomaly = eccentric_anomaly(time + phase);
+    const double cosine = std::cos(anomaly), sine = std::sin(anomaly), speed = 1 / (1 - e * cosine);
+    return {cosine - e, s * sine, -speed * sine, speed * s * cosine};
+  }
+  double eccentric_anomaly(double mean_anomaly) const {
+    const double e = eccentricity_;
+    double result = mean_anomaly;
+    for (int k = 0; k < 60; ++k)
+      result -= (result - e * std::sin(result) - mean_anomaly) / (1 - e * std::cos(result));
+    return result;
+  }
+
   double eccentricity_;
-  std::array<double, 2> position_, velocity_, rate_{}, acceleration_{}, prepared_{};
-  std::array<Evolving, 1> drifted_{{{position_, rate_}}};
-  std::array<Evolving, 1> kicked_{{{velocity_, acceleration_}}};
+  std::size_t count_;
+  std::vector<double> position_, velocity_, rate_, acceleration_, prepared_;
+  std::array<Evolving, 1> drifted_, kicked_;
 };
 
 /// An oscillator whose acceleration depends on its velocity, x'' = -x - 2 c x', started from x = 1
