@@ -22,11 +22,12 @@ double EmbeddedPair::advance(System& system, double time, double longest) {
   start_or_fail(system, time);
   if (proposed_ == 0) proposed_ = initial_step(system, time, tolerance_, power_);
   const double first = std::min(proposed_, longest);
-  double step = first, error = try_step(system, time, step) / tolerance_;
-  while (!(error <= 1)) {
-    step = control_.after_rejected(step, error);
-    if (time + step / 10 == time) fail(step, error);
+  double step = first, error = 0;
+  while (true) {
+    if (step < longest && time + step / 10 == time) fail(step, error);
     error = try_step(system, time, step) / tolerance_;
+    if (error <= 1) break;
+    step = control_.after_rejected(step, error);
   }
   finish(system, step);
   const bool rejected = step < first;

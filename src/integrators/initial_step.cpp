@@ -14,7 +14,7 @@ namespace {
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
 /// The shortest time in which a part would change as much as its largest value.
-double shortest_time(std::span<const Evolving> parts) {
+double time_of_change(std::span<const Evolving> parts) {
   double shortest = unknown;
   for (const Evolving& part : parts) {
     const double value = largest_magnitude(part.value), rate = largest_magnitude(part.rate);
@@ -33,11 +33,26 @@ double time_from_rest(System& system) {
   return place > 0 && acceleration > 0 ? std::sqrt(place / acceleration) : unknown;
 }
 
-/// A length for the step of Euler's; where every value is zero there is nothing to take it from.
-double probing_step(System& system) {
-  double time = std::min(shortest_time(system.drifted()), shortest_time(system.kicked()));
+/// From the values and rates that the system has; where all is zero there is nothing to go by.
+double time_of_change(System& system) {
+  double time = std::min(time_of_change(system.drifted()), time_of_change(system.kicked()));
   if (time == unknown) time = time_from_rest(system);
-  return time == unknown ? 1e-6 : time / 100;
+  return time == unknown ? 1e-4 : time;
+}
+
+/// The largest |rate at stage 1 - rate at stage 0| of a part, over the largest of its values at the
+/// start or of what they would gain in `time`; the largest of all parts.
+double relative_change(HalfStages& half, double time) {
+  std::vector<double> scale;
+  for (const Evolving& part : half.combined(std::array{1.0, 0.0}))
+    scale.push_back(std::max(largest_magnitude(half.values_at_start().values(scale.size())),
+                             time * largest_magnitude(part.rate)));
+  const auto changes = half.combined(std::array{-1.0, 1.0});
+  double largest = 0;
+  for (std::size_t part = 0; part < changes.size(); ++part)
+    if (const double change = largest_magnitude(changes[part].rate); change > 0)
+      largest = std::max(largest, change / scale[part]);
+  return largest;
 }
 
 }  // namespace
@@ -46,14 +61,15 @@ double initial_step(System& system, double time, double tolerance, int power) {
   Stages stages;
   stages.start(system, 2);
   stages.evaluate(system, time, 0);
-  const double probe = probing_step(system);
+  const double first = time_of_change(system);
+  const double probe = first / 100;
   stages.go_to(std::array{1.0, 0.0}, probe);
   stages.evaluate(system, time + probe, 1);
-  const double first = relative_error(stages, std::array{1.0, 0.0}, 1);
-  const double second = relative_error(stages, std::array{-1.0, 1.0}, 1 / probe);
   stages.return_to_start();
-  const double scale = std::min(1 / first, 1 / std::sqrt(second));
-  return std::min(100 * probe, scale * std::pow(tolerance / 100, 1.0 / power));
+  const double change =
+      std::max(relative_change(stages.drifted, first), relative_change(stages.kicked, first));
+  const double second = std::sqrt(probe / change);
+  return std::min(first, second) * std::pow(tolerance / 100, 1.0 / power);
 }
 
 }  // namespace mote

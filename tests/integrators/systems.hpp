@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <vector>
 
@@ -136,12 +137,6 @@ class Planets final : public System {
     return std::sqrt(sum / static_cast<double>(count_));
   }
 
-  /// Of the first planet; -1/2 at all times.
-  double energy() const {
-    return (velocity_[0] * velocity_[0] + velocity_[1] * velocity_[1]) / 2 -
-           1 / std::hypot(position_[0], position_[1]);
-  }
-
   int evaluations = 0;
 
  private:
@@ -169,6 +164,43 @@ class Planets final : public System {
   std::vector<double> position_, velocity_, rate_, acceleration_, prepared_;
   std::array<Evolving, 1> drifted_, kicked_;
 };
+
+/// A body on a line that is let go where it is at rest and then follows x'' = f(x).
+class Body final : public System {
+ public:
+  Body(double place, std::function<double(double)> acceleration)
+      : place_{place}, law_(std::move(acceleration)) {}
+  Body(const Body&) = delete;
+  Body& operator=(const Body&) = delete;
+
+  std::span<const Evolving> drifted() override { return drifted_; }
+  std::span<const Evolving> kicked() override { return kicked_; }
+  bool drifts_freely() const override { return true; }
+  bool falls_freely() const override { return true; }
+  void prepare(double time) override {
+    last_time = time;
+    prepared_ = place_[0];
+  }
+  void update_drift_rates(double) override { rate_ = velocity_; }
+  void update_kick_rates(double) override { acceleration_[0] = law_(prepared_); }
+
+  double place() const { return place_[0]; }
+  double velocity() const { return velocity_[0]; }
+
+  double last_time = 0;
+
+ private:
+  std::array<double, 1> place_, velocity_{0}, rate_{0}, acceleration_{0};
+  double prepared_ = 0;
+  std::function<double(double)> law_;
+  std::array<Evolving, 1> drifted_{{{place_, rate_}}};
+  std::array<Evolving, 1> kicked_{{{velocity_, acceleration_}}};
+};
+
+/// x'' = -w^2 sin x from x = 1.
+inline Body pendulum(double frequency = 1) {
+  return Body(1, [w = frequency](double angle) { return -w * w * std::sin(angle); });
+}
 
 /// An oscillator whose acceleration depends on its velocity, x'' = -x - 2 c x', started from x = 1
 /// at rest; it predicts, keeps its rates from step to step, and counts how often they are formed.
