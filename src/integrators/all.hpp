@@ -2,6 +2,7 @@
 
 #include "mote/integrators/dormand_prince_853.hpp"
 #include "mote/integrators/forward_euler.hpp"
+#include "mote/integrators/gauss_radau_15.hpp"
 #include "mote/integrators/heun.hpp"
 #include "mote/integrators/leapfrog_dkd.hpp"
 #include "mote/integrators/leapfrog_kdk.hpp"
@@ -17,8 +18,9 @@
 namespace mote {
 
 /// The integrators of mote. A new one is its own file and a word here.
-using Integrators = TypeList<ForwardEuler, SymplecticEuler, VelocityVerlet, LeapfrogKdk,
-                             LeapfrogDkd, PredictorCorrector, Heun, RungeKutta4, RungeKutta8,
-                             DormandPrince853, RungeKuttaNystrom86, RungeKuttaNystrom1210>;
+using Integrators =
+    TypeList<ForwardEuler, SymplecticEuler, VelocityVerlet, LeapfrogKdk, LeapfrogDkd,
+             PredictorCorrector, Heun, RungeKutta4, RungeKutta8, DormandPrince853,
+             RungeKuttaNystrom86, RungeKuttaNystrom1210, GaussRadau15>;
 
 }  // namespace mote
