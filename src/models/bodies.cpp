@@ -88,7 +88,6 @@ void Bodies<D>::add(const BodiesOptions& options) {
   std::ranges::copy(bodies.position, position_.begin());
   std::ranges::copy(bodies.velocity, velocity_.begin());
   std::ranges::copy(bodies.mass, mass_.begin());
-  update_dependent_fields();
 }
 
 template <int D>
@@ -102,21 +101,24 @@ void Bodies<D>::bind() {
   kicked_ = {{velocity_, acceleration_}};
 }
 
-/// Accelerations follow from places alone, and are not summed twice for the same ones.
 template <int D>
-void Bodies<D>::update_kick_rates(double /*time*/) {
+std::optional<PointMasses> Bodies<D>::point_masses() const {
+  if (options_.core != "point") return std::nullopt;
+  return PointMasses{options_.gravitational_constant, mass_};
+}
+
+/// Accelerations follow from places alone. They are formed where they are wanted, and not twice for
+/// the same places.
+template <int D>
+void Bodies<D>::form_accelerations() const {
   if (std::ranges::equal(accelerated_at_, position_)) return;
   gravity_->accelerate(sources(), acceleration_);
   accelerated_at_.assign(position_.begin(), position_.end());
 }
 
 template <int D>
-void Bodies<D>::update_dependent_fields() {
-  update_kick_rates(0);
-}
-
-template <int D>
 void Bodies<D>::complete_fields() {
+  form_accelerations();
   gravity_->find_potential(sources(), potential_);
 }
 
@@ -138,8 +140,8 @@ void Bodies<D>::restore(const Cloud& state) {
 /// A part of the time sqrt(l/a) in which a body at the acceleration a goes the length l: that of
 /// the softening, or the distance at which the heaviest body makes it so large.
 template <int D>
-double Bodies<D>::longest_step(double time, double courant) {
-  update_kick_rates(time);
+double Bodies<D>::longest_step(double /*time*/, double courant) {
+  form_accelerations();
   const double pull = options_.gravitational_constant * std::ranges::max(mass_);
   double longest = std::numeric_limits<double>::infinity();
   for (Index i = 0; i < cloud_.count(); ++i) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "mote/models/bodies_options.hpp"
@@ -23,11 +24,14 @@ class Bodies final : public Model {
   std::span<const Evolving> drifted() override { return drifted_; }
   std::span<const Evolving> kicked() override { return kicked_; }
   bool drifts_freely() const override { return true; }
+  bool falls_freely() const override { return true; }
+  int dimension() const override { return D; }
+  std::optional<PointMasses> point_masses() const override;
   void prepare(double /*time*/) override {}
   void update_drift_rates(double /*time*/) override {}
-  void update_kick_rates(double time) override;
+  void update_kick_rates(double /*time*/) override { form_accelerations(); }
 
-  void update_dependent_fields() override;
+  void update_dependent_fields() override {}
   void complete_fields() override;
   void inspect() const override;
   void restore(const Cloud& state) override;
@@ -45,6 +49,7 @@ class Bodies final : public Model {
  private:
   void add(const BodiesOptions& options);
   void bind();
+  void form_accelerations() const;
   Sources<D> sources() const { return {position_, mass_, options_.core_size}; }
   Vec<D> at(std::span<const double> vectors, Index i) const {
     return Vec<D>::Map(vectors.data() + std::ptrdiff_t{i} * D);
@@ -58,7 +63,7 @@ class Bodies final : public Model {
   std::unique_ptr<OwnGravity<D>> gravity_;
   std::span<double> position_, velocity_, acceleration_, mass_, potential_;
   std::vector<Evolving> drifted_, kicked_;
-  std::vector<double> accelerated_at_;  ///< places that the accelerations are of
+  mutable std::vector<double> accelerated_at_;  ///< places that the accelerations are of
 };
 
 extern template class Bodies<2>;

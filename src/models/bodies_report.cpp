@@ -55,6 +55,7 @@ std::vector<Conserved> Bodies<D>::conserved() const {
 /// mass: 1 on average in time for what stays together, in 2D as in 3D, softened or not.
 template <int D>
 double Bodies<D>::virial_ratio() const {
+  form_accelerations();
   const Vec<D> centre = weighted_mean(position_), drift = weighted_mean(velocity_);
   const auto sum = [&](auto term) {
     return fixed_sum(cloud_.count(), 0.0,
