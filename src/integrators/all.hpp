@@ -1,8 +1,12 @@
 #pragma once
 
 #include "mote/integrators/forward_euler.hpp"
+#include "mote/integrators/heun.hpp"
+#include "mote/integrators/leapfrog_dkd.hpp"
+#include "mote/integrators/leapfrog_kdk.hpp"
 #include "mote/integrators/predictor_corrector.hpp"
 #include "mote/integrators/runge_kutta_4.hpp"
+#include "mote/integrators/runge_kutta_8.hpp"
 #include "mote/integrators/symplectic_euler.hpp"
 #include "mote/integrators/velocity_verlet.hpp"
 #include "mote/options/type_list.hpp"
@@ -10,7 +14,7 @@
 namespace mote {
 
 /// The integrators of mote. A new one is its own file and a word here.
-using Integrators =
-    TypeList<ForwardEuler, SymplecticEuler, VelocityVerlet, PredictorCorrector, RungeKutta4>;
+using Integrators = TypeList<ForwardEuler, SymplecticEuler, VelocityVerlet, LeapfrogKdk,
+                             LeapfrogDkd, PredictorCorrector, Heun, RungeKutta4, RungeKutta8>;
 
 }  // namespace mote

@@ -84,6 +84,8 @@ std::vector<double> two_falls(Between between) {
 
 template <class Method>
 void expect_restart_after_forgetting() {
+  FreeFall system({0}, {0}, {0});
+  if (!Method().missing_in(system).empty()) return;
   const auto restarted = two_falls<Method>([](Method&, Method& fresh) -> Method& { return fresh; });
   const auto forgetful = two_falls<Method>([](Method& used, Method&) -> Method& {
     used.forget_rounding();

@@ -22,6 +22,7 @@ class FreeFall final : public System {
   std::span<const Evolving> drifted() override { return drifted_; }
   std::span<const Evolving> kicked() override { return kicked_; }
   bool drifts_freely() const override { return true; }
+  bool falls_freely() const override { return true; }
   void prepare(double) override {}
   void update_drift_rates(double) override {}
   void update_kick_rates(double) override {}
@@ -51,6 +52,7 @@ class ForcedOscillators final : public System {
   std::span<const Evolving> drifted() override { return drifted_; }
   std::span<const Evolving> kicked() override { return kicked_; }
   bool drifts_freely() const override { return true; }
+  bool falls_freely() const override { return true; }
   void prepare(double time) override {
     for (std::size_t i = 0; i < count; ++i)
       force_[i] = -w[i] * w[i] * position_[i] + std::cos(n * time);
@@ -82,6 +84,57 @@ class ForcedOscillators final : public System {
   }
 
   std::array<double, count> position_, velocity_, rate_, acceleration_, force_;
+  std::array<Evolving, 1> drifted_{{{position_, rate_}}};
+  std::array<Evolving, 1> kicked_{{{velocity_, acceleration_}}};
+};
+
+/// A planet about a fixed sun, x'' = -x/|x|^3, on an ellipse of semi-major axis 1 whose period is
+/// 2 pi; at the pericentre at time 0. It counts how often accelerations are formed.
+class KeplerOrbit final : public System {
+ public:
+  explicit KeplerOrbit(double eccentricity)
+      : eccentricity_(eccentricity),
+        position_{1 - eccentricity, 0},
+        velocity_{0, std::sqrt((1 + eccentricity) / (1 - eccentricity))} {}
+  KeplerOrbit(const KeplerOrbit&) = delete;
+  KeplerOrbit& operator=(const KeplerOrbit&) = delete;
+
+  std::span<const Evolving> drifted() override { return drifted_; }
+  std::span<const Evolving> kicked() override { return kicked_; }
+  bool drifts_freely() const override { return true; }
+  bool falls_freely() const override { return true; }
+  int dimension() const override { return 2; }
+  void prepare(double) override { prepared_ = position_; }
+  void update_drift_rates(double) override { rate_ = velocity_; }
+  void update_kick_rates(double) override {
+    ++evaluations;
+    const double distance = std::hypot(prepared_[0], prepared_[1]);
+    for (std::size_t c = 0; c < 2; ++c)
+      acceleration_[c] = -prepared_[c] / (distance * distance * distance);
+  }
+
+  /// Distance in phase space from where the planet is at `time`: x = (cos E - e, s sin E) with
+  /// s^2 = 1 - e^2 and Kepler's equation E - e sin E = t.
+  double error(double time) const {
+    const double e = eccentricity_, s = std::sqrt(1 - e * e);
+    double anomaly = time;
+    for (int k = 0; k < 60; ++k)
+      anomaly -= (anomaly - e * std::sin(anomaly) - time) / (1 - e * std::cos(anomaly));
+    const double cosine = std::cos(anomaly), sine = std::sin(anomaly), speed = 1 / (1 - e * cosine);
+    return std::hypot(std::hypot(position_[0] - (cosine - e), position_[1] - s * sine),
+                      std::hypot(velocity_[0] + speed * sine, velocity_[1] - speed * s * cosine));
+  }
+
+  double energy() const {
+    return (velocity_[0] * velocity_[0] + velocity_[1] * velocity_[1]) / 2 -
+           1 / std::hypot(position_[0], position_[1]);
+  }
+
+  int evaluations = 0;
+
+ private:
+  double eccentricity_;
+  std::array<double, 2> position_, velocity_, rate_{}, acceleration_{}, prepared_{};
   std::array<Evolving, 1> drifted_{{{position_, rate_}}};
   std::array<Evolving, 1> kicked_{{{velocity_, acceleration_}}};
 };
