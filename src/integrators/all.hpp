@@ -1,5 +1,7 @@
 #pragma once
 
+#include "mote/integrators/conservation_correction.hpp"
+#include "mote/integrators/contevol.hpp"
 #include "mote/integrators/forward_euler.hpp"
 #include "mote/integrators/heun.hpp"
 #include "mote/integrators/leapfrog_dkd.hpp"
@@ -14,7 +16,10 @@
 namespace mote {
 
 /// The integrators of mote. A new one is its own file and a word here.
-using Integrators = TypeList<ForwardEuler, SymplecticEuler, VelocityVerlet, LeapfrogKdk,
-                             LeapfrogDkd, PredictorCorrector, Heun, RungeKutta4, RungeKutta8>;
+using Integrators =
+    TypeList<ForwardEuler, SymplecticEuler, VelocityVerlet, LeapfrogKdk, LeapfrogDkd,
+             PredictorCorrector, Heun, RungeKutta4, RungeKutta8, ContEvol1, ContEvol1Corrected,
+             ContEvol2Direct, ContEvol2DirectCorrected, ContEvol2Indirect,
+             ContEvol2IndirectCorrected>;
 
 }  // namespace mote

@@ -16,8 +16,8 @@ namespace mote {
 /// potential phi(r) (-mu/r in space, mu ln r in the plane) and the velocity v' that a method found,
 ///   v = (L x r + sign(r.v') sqrt(2 r^2 (E - phi) - L^2) r) / r^2,
 /// equation (3.3.10), corrected: section 3.4 takes the sign of a coordinate. The velocity of the
-/// centre of mass stays. Where no radial velocity has that energy, at a turning point, it is 0; there
-/// the root makes errors of a few 1e-8 of rounding.
+/// centre of mass stays. Where no radial velocity has that energy, at a turning point, it is 0;
+/// there the root makes errors of a few 1e-8 of rounding.
 class ConservationCorrection {
  public:
   /// As Integrator::missing_in.

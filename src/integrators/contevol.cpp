@@ -36,7 +36,8 @@ void make_orthonormal(Rows& rows, Eigen::Index block, int degree) {
   for (int i = 0; i <= degree; ++i) {
     rows.middleRows(i * block, block) *= legendre_moment(i, i);
     for (int k = i + 1; k <= degree; ++k)
-      rows.middleRows(i * block, block) += legendre_moment(i, k) * rows.middleRows(k * block, block);
+      rows.middleRows(i * block, block) +=
+          legendre_moment(i, k) * rows.middleRows(k * block, block);
   }
 }
 
@@ -44,7 +45,8 @@ void make_orthonormal(Rows& rows, Eigen::Index block, int degree) {
 template <class Rows>
 Rows sum_of_blocks(const Rows& rows, Eigen::Index block) {
   Rows sum = rows.topRows(block);
-  for (Eigen::Index row = block; row < rows.rows(); row += block) sum += rows.middleRows(row, block);
+  for (Eigen::Index row = block; row < rows.rows(); row += block)
+    sum += rows.middleRows(row, block);
   return sum;
 }
 
@@ -133,8 +135,8 @@ VectorXd ContEvol::best_unknowns(Residual r) const {
   const VectorXd start = -highest.solve(offset_at_end);
   const auto columns = r.matrix.rightCols(places);
   VectorXd unknowns(r.matrix.cols());
-  unknowns.head(others) = least_squares(r.matrix.leftCols(others) + columns * slope,
-                                        r.offset + columns * start);
+  unknowns.head(others) =
+      least_squares(r.matrix.leftCols(others) + columns * slope, r.offset + columns * start);
   unknowns.tail(places) = slope * unknowns.head(others) + start;
   return unknowns;
 }

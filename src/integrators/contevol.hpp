@@ -34,8 +34,8 @@ class ContEvol : public Integrator {
   ContEvol(int derivatives, End end) : derivatives_(derivatives), end_(end) {}
 
  private:
-  /// Residuals of the equation of motion, matrix * unknowns + offset, for every power of t/h a block
-  /// of rows.
+  /// Residuals of the equation of motion, matrix * unknowns + offset, for every power of t/h a
+  /// block of rows.
   struct Residual {
     Eigen::MatrixXd matrix;
     Eigen::VectorXd offset;
@@ -63,8 +63,8 @@ class ContEvol1 : public ContEvol {
   ContEvol1() : ContEvol(1, End::free) {}
 };
 
-/// Second order: the path is of degree 5, and obeys the equation of motion at both ends of the step,
-/// option 1 of section 2.3.
+/// Second order: the path is of degree 5, and obeys the equation of motion at both ends of the
+/// step, option 1 of section 2.3.
 class ContEvol2Direct : public ContEvol {
  public:
   static constexpr std::string_view name = "contevol_2_direct";

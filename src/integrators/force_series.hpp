@@ -17,8 +17,8 @@ class ForceSeries {
   virtual void expand(std::span<const Eigen::VectorXd> path, std::span<Eigen::VectorXd> force,
                       std::span<Eigen::MatrixXd> derivative) = 0;
 
-  /// How much the equation of each place counts where errors of all are squared and added, > 0. With
-  /// the masses, total momentum stays out of the forces' errors.
+  /// How much the equation of each place counts where errors of all are squared and added, > 0.
+  /// With the masses, total momentum stays out of the forces' errors.
   virtual Eigen::VectorXd weights() const = 0;
 };
 

@@ -99,6 +99,8 @@ void Bodies<D>::bind() {
   potential_ = cloud_.values("potential");
   drifted_ = {{position_, velocity_}};
   kicked_ = {{velocity_, acceleration_}};
+  if (point_masses())
+    series_ = std::make_unique<GravitySeries<D>>(options_.gravitational_constant, mass_);
 }
 
 template <int D>

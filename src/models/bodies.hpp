@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mote/models/bodies_options.hpp"
+#include "mote/models/gravity_series.hpp"
 #include "mote/models/own_gravity.hpp"
 
 namespace mote {
@@ -27,6 +28,7 @@ class Bodies final : public Model {
   bool falls_freely() const override { return true; }
   int dimension() const override { return D; }
   std::optional<PointMasses> point_masses() const override;
+  ForceSeries* force_series() override { return series_.get(); }
   void prepare(double /*time*/) override {}
   void update_drift_rates(double /*time*/) override {}
   void update_kick_rates(double /*time*/) override { form_accelerations(); }
@@ -61,6 +63,7 @@ class Bodies final : public Model {
   SpaceStart start_;
   Cloud cloud_;
   std::unique_ptr<OwnGravity<D>> gravity_;
+  std::unique_ptr<GravitySeries<D>> series_;  ///< of points
   std::span<double> position_, velocity_, acceleration_, mass_, potential_;
   std::vector<Evolving> drifted_, kicked_;
   mutable std::vector<double> accelerated_at_;  ///< places that the accelerations are of

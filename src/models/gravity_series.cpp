@@ -84,9 +84,7 @@ void add_derivatives(const Pair& pair, const PairSeries<D>& series,
                      std::span<Eigen::MatrixXd> derivative) {
   const auto slopes = series.derivative(derivative.size());
   for (std::size_t k = 0; k < derivative.size(); ++k) {
-    const auto block = [&](Index a, Index b) {
-      return derivative[k].block<D, D>(a * D, b * D);
-    };
+    const auto block = [&](Index a, Index b) { return derivative[k].block<D, D>(a * D, b * D); };
     block(pair.first, pair.first) -= pair.pull_of_second * slopes[k];
     block(pair.first, pair.second) += pair.pull_of_second * slopes[k];
     block(pair.second, pair.second) -= pair.pull_of_first * slopes[k];
@@ -102,8 +100,7 @@ void GravitySeries<D>::expand(std::span<const Eigen::VectorXd> path,
                               std::span<Eigen::MatrixXd> derivative) {
   const auto bodies = static_cast<Index>(mass_.size());
   for (auto& coefficient : force) coefficient = Eigen::VectorXd::Zero(bodies * D);
-  for (auto& coefficient : derivative)
-    coefficient = Eigen::MatrixXd::Zero(bodies * D, bodies * D);
+  for (auto& coefficient : derivative) coefficient = Eigen::MatrixXd::Zero(bodies * D, bodies * D);
   const auto pull_of = [&](Index body) {
     return gravitational_constant_ * mass_[static_cast<std::size_t>(body)];
   };

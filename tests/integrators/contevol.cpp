@@ -1,5 +1,5 @@
 // ContEvol on the harmonic oscillator, against the propagators that the paper states as rational
-// functions of the step, and on orbits.
+// functions of the step.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mote/integrators/contevol.hpp"
+#include "systems.hpp"
 
 namespace mote::test {
 namespace {
@@ -90,17 +91,17 @@ const Stated direct{
     {1916006400, 0, 155105280, 0, 6785280, 0, 312576, 0, 8464, 0, 120, 0, 7},
     {4 / 3.0L, 4 / 3.0L, 1, 1}};
 /// (2.3.20), with the term in h^13 of the third that our text lacks.
-const Stated indirect{{Polynomial{1931334451200, 0, -827714764800, 0, 16895692800, 0, 518987520, 0,
-                                  -9711360, 0, 1086048, 0, -15568, 0, 35},
-                       {0, 1931334451200, 0, -183936614400, 0, -1497968640, 0, 59581440, 0,
-                        -3985920, 0, 156096, 0, -448},
-                       {0, -1931334451200, 0, 183936614400, 0, 1426118400, 0, -51598080, 0,
-                        4471200, 0, -158256, 0, 1015},
-                       {1931334451200, 0, -827714764800, 0, 16895692800, 0, 558904320, 0,
-                        -10022400, 0, 1054656, 0, -12544}},
-                      {120708403200, 0, 8622028800, 0, 337478400, 0, 14065920, 0, 347760, 0, 4536,
-                       0, 245},
-                      {0.0625L, 0.0625L, 0.0625L, 0.0625L}};
+const Stated indirect{
+    {Polynomial{1931334451200, 0, -827714764800, 0, 16895692800, 0, 518987520, 0, -9711360, 0,
+                1086048, 0, -15568, 0, 35},
+     {0, 1931334451200, 0, -183936614400, 0, -1497968640, 0, 59581440, 0, -3985920, 0, 156096, 0,
+      -448},
+     {0, -1931334451200, 0, 183936614400, 0, 1426118400, 0, -51598080, 0, 4471200, 0, -158256, 0,
+      1015},
+     {1931334451200, 0, -827714764800, 0, 16895692800, 0, 558904320, 0, -10022400, 0, 1054656, 0,
+      -12544}},
+    {120708403200, 0, 8622028800, 0, 337478400, 0, 14065920, 0, 347760, 0, 4536, 0, 245},
+    {0.0625L, 0.0625L, 0.0625L, 0.0625L}};
 
 /// The largest difference between what a method does and what is stated.
 template <class Method>
@@ -108,8 +109,8 @@ double difference(const Stated& stated, double step) {
   const Propagator found = propagator<Method>(step);
   double largest = 0;
   for (std::size_t k = 0; k < 4; ++k) {
-    const long double expected = stated.factors[k] * value(stated.numerators[k], step) /
-                                 value(stated.denominator, step);
+    const long double expected =
+        stated.factors[k] * value(stated.numerators[k], step) / value(stated.denominator, step);
     largest = std::max(largest, static_cast<double>(std::abs(found[k / 2][k % 2] - expected)));
   }
   return largest;
@@ -117,14 +118,28 @@ double difference(const Stated& stated, double step) {
 
 constexpr std::array steps{0.01, 0.1, 0.25, 0.5, 1.0, 1.5};
 
-TEST(ContEvol, FirstOrderHasThePropagatorOfThePaper) {
-  for (const double h : steps) EXPECT_LE(difference<ContEvol1>(first_order, h), 1e-15) << h;
+TEST(ContEvol, HasThePropagatorsOfThePaper) {
+  for (const double h : steps) {
+    EXPECT_LE(difference<ContEvol1>(first_order, h), 1e-15) << h;
+    EXPECT_LE(difference<ContEvol2Direct>(direct, h), 1e-15) << h;
+    EXPECT_LE(difference<ContEvol2Indirect>(indirect, h), 1e-15) << h;
+  }
 }
-TEST(ContEvol, SecondOrderDirectHasThePropagatorOfThePaper) {
-  for (const double h : steps) EXPECT_LE(difference<ContEvol2Direct>(direct, h), 1e-15) << h;
+
+TEST(ContEvol, HasNoOtherPropagator) {
+  Stated lacking = indirect;
+  lacking.numerators[2].back() = 0;  // as in our text
+  EXPECT_GT(difference<ContEvol2Indirect>(lacking, 1), 1e-11);
+  EXPECT_GT(difference<ContEvol2Indirect>(direct, 0.25), 1e-10);
+  EXPECT_GT(difference<ContEvol2Direct>(first_order, 0.25), 1e-8);
 }
-TEST(ContEvol, SecondOrderIndirectHasThePropagatorOfThePaper) {
-  for (const double h : steps) EXPECT_LE(difference<ContEvol2Indirect>(indirect, h), 1e-15) << h;
+
+TEST(ContEvol, SaysWhatOtherSystemsLack) {
+  FreeFall system({0}, {0}, {0});
+  EXPECT_EQ(ContEvol1().missing_in(system),
+            "forces as power series, which point masses under their own gravity have");
+  Oscillator oscillator(1, 0);
+  EXPECT_EQ(ContEvol1().missing_in(oscillator), "");
 }
 
 }  // namespace

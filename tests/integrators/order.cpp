@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <string>
 #include <string_view>
 
@@ -29,6 +30,8 @@ constexpr Ladder ladder = Method::order <= 4 ? Ladder{60, 2} : Ladder{8, 1.4};
 /// Where a method is tested that forced oscillators, or an orbit, cannot feed.
 template <class Method>
 constexpr std::string_view tested_in = "";
+template <std::derived_from<ContEvol> Method>
+constexpr std::string_view tested_in<Method> = "models/contevol.cpp";
 
 template <class Method>
 constexpr int order_for_linear_equations = Method::order;

@@ -11,7 +11,7 @@ namespace mote::test {
 
 /// Point masses in D dimensions, G = 1, with nothing but their forces as power series.
 template <int D>
-class FewBodies final : public System {
+class FewBodies : public System {
  public:
   FewBodies(std::vector<double> mass, std::vector<double> position, std::vector<double> velocity)
       : mass(std::move(mass)), position(std::move(position)), velocity(std::move(velocity)) {}
@@ -27,8 +27,8 @@ class FewBodies final : public System {
   void prepare(double) override {}
   void update_drift_rates(double) override {}
   void update_kick_rates(double) override {
-    const Eigen::VectorXd place = Eigen::VectorXd::Map(
-        position.data(), static_cast<Eigen::Index>(position.size()));
+    const Eigen::VectorXd place =
+        Eigen::VectorXd::Map(position.data(), static_cast<Eigen::Index>(position.size()));
     Eigen::VectorXd force;
     series_.expand({&place, 1}, {&force, 1}, {});
     acceleration.assign(force.begin(), force.end());
