@@ -1,5 +1,7 @@
 #pragma once
 
+#include "mote/integrators/conservation_correction.hpp"
+#include "mote/integrators/contevol.hpp"
 #include "mote/integrators/dormand_prince_853.hpp"
 #include "mote/integrators/forward_euler.hpp"
 #include "mote/integrators/gauss_radau_15.hpp"
@@ -21,6 +23,8 @@ namespace mote {
 using Integrators =
     TypeList<ForwardEuler, SymplecticEuler, VelocityVerlet, LeapfrogKdk, LeapfrogDkd,
              PredictorCorrector, Heun, RungeKutta4, RungeKutta8, DormandPrince853,
-             RungeKuttaNystrom86, RungeKuttaNystrom1210, GaussRadau15>;
+             RungeKuttaNystrom86, RungeKuttaNystrom1210, GaussRadau15, ContEvol1,
+             ContEvol1Corrected, ContEvol2Direct, ContEvol2DirectCorrected, ContEvol2Indirect,
+             ContEvol2IndirectCorrected>;
 
 }  // namespace mote

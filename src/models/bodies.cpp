@@ -101,6 +101,8 @@ void Bodies<D>::bind() {
   if (collisions_.exist()) met_ = cloud_.values("collisions");
   drifted_ = {{position_, velocity_}};
   kicked_ = {{velocity_, acceleration_}};
+  if (point_masses())
+    series_ = std::make_unique<GravitySeries<D>>(options_.gravitational_constant, mass_);
 }
 
 template <int D>

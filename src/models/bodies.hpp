@@ -6,6 +6,7 @@
 
 #include "mote/models/bodies_options.hpp"
 #include "mote/models/collisions.hpp"
+#include "mote/models/gravity_series.hpp"
 #include "mote/models/own_gravity.hpp"
 
 namespace mote {
@@ -30,6 +31,7 @@ class Bodies final : public Model {
   bool falls_freely() const override { return true; }
   int dimension() const override { return D; }
   std::optional<PointMasses> point_masses() const override;
+  ForceSeries* force_series() override { return series_.get(); }
   void prepare(double /*time*/) override {}
   void update_drift_rates(double /*time*/) override {}
   void update_kick_rates(double /*time*/) override { form_accelerations(); }
@@ -45,7 +47,8 @@ class Bodies final : public Model {
   std::vector<Reading> readings() const override;
   std::vector<StepLimit> step_limits() override { return {}; }
   double longest_step(double time, double courant) override;
-  /// Pairs are counted where they are summed one by one.
+  /// Evaluations are the times that accelerations were formed, or power series of them. Pairs are
+  /// counted where they are summed one by one.
   PairWork pair_work() const override;
   std::vector<std::string> warnings() const override;
   std::vector<std::string> remarks() const override;
@@ -75,6 +78,7 @@ class Bodies final : public Model {
   SpaceStart start_;
   Cloud cloud_;
   std::unique_ptr<OwnGravity<D>> gravity_;
+  std::unique_ptr<GravitySeries<D>> series_;  ///< of points
   std::span<double> position_, velocity_, acceleration_, mass_, potential_;
   std::vector<Evolving> drifted_, kicked_;
   mutable std::vector<double> accelerated_at_;  ///< places that the accelerations are of

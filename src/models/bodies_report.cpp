@@ -114,10 +114,10 @@ std::vector<std::string> Bodies<D>::warnings() const {
 
 template <int D>
 PairWork Bodies<D>::pair_work() const {
-  PairWork work{.evaluations = evaluations_};
+  PairWork work{.evaluations = evaluations_ + (series_ ? series_->expansions() : 0)};
   if (!gravity_->sums_pair_by_pair(mass_.size())) return work;
   const std::int64_t others = cloud_.count() - 1;
-  work.pairs = evaluations_ * cloud_.count() * others;
+  work.pairs = work.evaluations * cloud_.count() * others;
   work.mean_neighbours = static_cast<double>(others);
   return work;
 }

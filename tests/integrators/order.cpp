@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <string>
 #include <string_view>
 
@@ -49,6 +50,8 @@ constexpr Ladder ladder<RungeKuttaNystrom1210, Orbits>{8, 1.25, 6, 5e-8};
 /// Where a method is tested that these problems lack something for.
 template <class Method>
 constexpr std::string_view tested_in = "";
+template <std::derived_from<ContEvol> Method>
+constexpr std::string_view tested_in<Method> = "models/contevol.cpp";
 
 template <class Method>
 constexpr int order_for_linear_equations = Method::order;
