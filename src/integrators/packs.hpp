@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -16,6 +17,12 @@ inline constexpr std::size_t pack_size = 8;
 
 [[gnu::always_inline]] inline Pack magnitude(const Pack& x) { return x < 0 ? -x : x; }
 [[gnu::always_inline]] inline Pack larger(const Pack& x, const Pack& y) { return x > y ? x : y; }
+
+[[gnu::always_inline]] inline Pack root(const Pack& x) {
+  Pack result;
+  for (std::size_t k = 0; k < pack_size; ++k) result[k] = std::sqrt(x[k]);
+  return result;
+}
 
 inline double largest_of(const Pack& pack) {
   double largest = pack[0];
