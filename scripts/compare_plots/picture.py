@@ -113,8 +113,9 @@ def subtitle(table, profiles):
 
 def note_handles(table, below):
     """What the error panels have beside the members."""
-    errors = [member.error(field) for members in table.lines.values() for member in members
-              for field in table.fields if below]
+    columns = [panel.keywords.get("column") or f"{panel.keywords['field']}_l2" for panel in below]
+    errors = [member.size(column) for members in table.lines.values() for member in members
+              for column in columns]
     slope = [Line2D([], [], **SLOPE)] if any(panel.func is draw_errors for panel in below) else []
     return slope + ([Line2D([], [], linestyle="none", label=ZERO_NOTE)] if 0 in errors else [])
 

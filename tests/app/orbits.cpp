@@ -31,6 +31,12 @@ const std::string pair =
     "    - {quantity: position_error, most: 1e-6, throughout: true}\n"
     "    - {quantity: collisions, most: 0}\n";
 
+/// The same two with radii that touch on their way, on which they are 0.47 apart at the least.
+std::string touching() {
+  std::string text = pair;
+  return text.replace(text.find("radius: 0.2"), 11, "radius: 0.65");
+}
+
 struct Orbits : testing::Test {
   TemporaryFolder folder;
 
@@ -82,10 +88,10 @@ TEST_F(Orbits, TellTheirErrorsInEveryRow) {
 
 /// Balls that touch on their way, and what a restart in between leaves of that.
 TEST_F(Orbits, TellCollisions) {
-  const std::string touching = "model.masses.1.radius=0.65";
-  const Outcome outcome = run(pair, {"--set", touching});
+  const Outcome outcome = run(touching());
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.errors, HasSubstr("collision: Sun and Comet at t = "));
+  ASSERT_TRUE(fs::exists(folder / "out/history.csv"));
   EXPECT_THAT(read(folder / "out/report.md"), HasSubstr("nothing merges or bounces"));
   const CsvTable whole(read(folder / "out/history.csv"));
   EXPECT_EQ(std::stod(whole.rows.back().at("collisions")), 1);
@@ -97,7 +103,7 @@ TEST_F(Orbits, TellCollisions) {
 }
 
 TEST_F(Orbits, StopAtACollisionIfWarningsAreErrors) {
-  const Outcome outcome = run(pair, {"--strict", "--set", "model.masses.1.radius=0.65"});
+  const Outcome outcome = run(touching(), {"--strict"});
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_THAT(outcome.errors, HasSubstr("Sun and Comet"));
 }
