@@ -12,24 +12,30 @@
 namespace mote {
 namespace {
 
-/// Seconds of one step, the shortest of the first few or of half a second; nothing of them is kept.
-double seconds_a_step(Simulation& simulation) {
-  double shortest = std::numeric_limits<double>::infinity(), total = 0;
+/// One step: how long it takes, in seconds, and how far it goes.
+struct TrialStep {
+  double seconds = std::numeric_limits<double>::infinity(), length = 0;
+};
+
+/// The quickest of the first few steps or of half a second of them; nothing of them is kept.
+TrialStep trial_step(Simulation& simulation) {
+  TrialStep best;
+  double total = 0;
   for (int repeat = 0; repeat < 5 && total < 0.5; ++repeat) {
     const auto start = std::chrono::steady_clock::now();
-    simulation.advance(0, simulation.next_step(1, 1, 0).length);
+    const double length = simulation.advance(0, simulation.next_step(1, 1, 0).length);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-    shortest = std::min(shortest, took.count());
+    best = {std::min(best.seconds, took.count()), length};
     total += took.count();
   }
-  return shortest;
+  return best;
 }
 
-/// Steps of the run; if the state decides on them, as many as there are while they stay like the
-/// first.
-std::int64_t expected_steps(Simulation& simulation) {
+/// Steps of the run; if the state or the integrator decides on them, as many as there are while
+/// they stay like the first.
+std::int64_t expected_steps(Simulation& simulation, const TrialStep& step) {
   if (!simulation.has_steps_of_its_own()) return simulation.plan().total_steps();
-  return std::llround(simulation.scenario().time.end / simulation.next_step(1, 1, 0).length);
+  return std::llround(simulation.scenario().time.end / step.length);
 }
 
 std::size_t bytes_of_fields(const Cloud& cloud) {
@@ -43,8 +49,8 @@ std::size_t bytes_of_fields(const Cloud& cloud) {
 int check(const Catalogue& catalogue, const RunOptions& options) {
   Simulation simulation = prepare_simulation(catalogue, options);
   const double memory = simulation.bytes_needed();
-  const std::int64_t steps = expected_steps(simulation);
-  const double seconds = seconds_a_step(simulation);
+  const TrialStep step = trial_step(simulation);
+  const std::int64_t steps = expected_steps(simulation, step);
   const TimePlan& plan = simulation.plan();
   const double frame_bytes = 2.0 * static_cast<double>(bytes_of_fields(simulation.model().cloud()));
   fmt::print("{}", simulation.resolved_yaml());
@@ -54,7 +60,8 @@ int check(const Catalogue& catalogue, const RunOptions& options) {
              steps, plan.frames() + 1);
   fmt::print("# memory: about {:.3g} MB; disk: about {:.3g} MB\n", 1e-6 * memory,
              1e-6 * frame_bytes * static_cast<double>(plan.frames() + 1));
-  fmt::print("# time: about {:.3g} s, by its first steps\n", seconds * static_cast<double>(steps));
+  fmt::print("# time: about {:.3g} s, by its first steps\n",
+             step.seconds * static_cast<double>(steps));
   return 0;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
+#include <utility>
 
 #include "mote/app/history_checks.hpp"
 #include "mote/app/neighbourhood.hpp"
@@ -16,23 +17,30 @@
 
 namespace mote {
 
-std::vector<Reading> history_columns(Simulation& simulation) {
+std::vector<Reading> history_columns(Simulation& simulation, double time) {
   if (simulation.has_probes()) simulation.model().complete_fields();
   std::vector<Reading> columns;
   for (const Conserved& quantity : simulation.model().conserved())
     columns.push_back({quantity.name, quantity.value});
-  std::ranges::move(simulation.observations(), std::back_inserter(columns));
+  std::ranges::move(simulation.observations(time), std::back_inserter(columns));
   return columns;
 }
 
 RunLoop::RunLoop(Simulation& simulation, OutputFolder& folder, Progress::Style style,
-                 const Moment& start)
+                 const Moment& start, const Restart& restart)
     : simulation_(simulation),
       folder_(folder),
       style_(style),
       progress_(style, start.time, simulation.scenario().time.end),
       start_(start),
-      now_(start) {}
+      now_(start) {
+  if (simulation_.follows_path()) {
+    course_.emplace(simulation_.model(), simulation_.integrator(), simulation_.path(), start);
+    if (!restart.empty()) course_->go_back_to(restart);
+  } else if (!restart.empty()) {
+    simulation_.integrator().recall(restart.integrator);
+  }
+}
 
 int RunLoop::go_on() {
   const auto clock_start = std::chrono::steady_clock::now();
@@ -58,30 +66,70 @@ int RunLoop::go_on() {
 }
 
 void RunLoop::run_to(std::int64_t frame) {
+  course_ ? step_past(frame) : step_to(frame);
+  now_.frame = frame;
+  simulation_.model().complete_snapshot();
+  const Restart from = course_ ? course_->restart() : simulation_.restart(now_);
+  folder_.add_snapshot(now_, simulation_.fingerprint(), simulation_.model().cloud(),
+                       scene_of(simulation_.model()), from);
+  progress_.snapshot_done(now_.step, now_.time);
+}
+
+/// Steps until one ends at the frame.
+void RunLoop::step_to(std::int64_t frame) {
   simulation_.start_afresh();
   const double target = simulation_.plan().time_of_frame(frame);
   for (std::int64_t number = 1; now_.time < target; ++number) {
     const double before = now_.time;
     const Step step = simulation_.next_step(frame, number, before);
     now_ = {now_.frame, now_.step + 1, step.end};
-    simulation_.advance(before, step.length);
-    if (wants_row(frame, before)) folder_.history().add(now_, history_columns(simulation_));
+    const double length = simulation_.advance(before, step.length);
+    if (length < step.length) now_.time = before + length;
+    if (wants_row(frame, before, now_)) add_row(now_);
     progress_.step_done(now_.time);
   }
-  now_.frame = frame;
-  simulation_.model().complete_snapshot();
-  folder_.add_snapshot(now_, simulation_.fingerprint(), simulation_.model().cloud(),
-                       scene_of(simulation_.model()));
-  progress_.snapshot_done(now_.step, now_.time);
 }
 
-/// Whether the step that ends now gets a row in the history: the last one to a frame and every so
-/// many, or those that pass a tenth of the way.
-bool RunLoop::wants_row(std::int64_t frame, double before) const {
+/// Steps until one ends at the frame or beyond it, and shows the state at the frame.
+void RunLoop::step_past(std::int64_t frame) {
+  const double target = simulation_.plan().time_of_frame(frame);
+  course_->show_node();
+  while (course_->node().time < target) {
+    if (std::exchange(row_is_due_, false)) add_row(course_->node());
+    const Moment before = course_->node();
+    course_->take_step([&] {
+      const Step step = simulation_.next_free_step(before.step + 1, before.time);
+      now_ = {now_.frame, before.step + 1, step.end};
+      const double length = simulation_.advance(before.time, step.length);
+      return length < step.length ? before.time + length : step.end;
+    });
+    now_ = course_->node();
+    row_is_due_ = wants_row_between(frame, before.time, now_);
+    progress_.step_done(std::min(now_.time, target));
+  }
+  now_ = {frame, course_->node().step, target};
+  course_->show(target);
+  add_row(now_);
+}
+
+void RunLoop::add_row(const Moment& moment) {
+  folder_.history().add(moment, history_columns(simulation_, moment.time));
+}
+
+/// Whether a step that ends at or before a frame gets a row in the history: the last one to the
+/// frame, and those between.
+bool RunLoop::wants_row(std::int64_t frame, double before, const Moment& after) const {
+  return after.time == simulation_.plan().time_of_frame(frame) ||
+         wants_row_between(frame, before, after);
+}
+
+/// Every so many steps have a row, or those that pass a tenth of the way to a frame.
+bool RunLoop::wants_row_between(std::int64_t frame, double before, const Moment& after) const {
   const TimePlan& plan = simulation_.plan();
+  const double target = plan.time_of_frame(frame);
   const std::int64_t every = simulation_.scenario().output.history;
-  if (now_.time == plan.time_of_frame(frame)) return true;
-  return every > 0 ? now_.step % every == 0 : plan.passes_tenth(frame, before, now_.time);
+  if (every > 0) return after.time != target && after.step % every == 0;
+  return after.time < target && plan.passes_tenth(frame, before, after.time);
 }
 
 std::string RunLoop::failure_message(const NumericalFailure& broken) const {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <tuple>
 
 #include "mote/app/history_checks.hpp"
 #include "mote/app/line_setup.hpp"
@@ -24,11 +25,13 @@ double memory_of(const Scenario& scenario) {
 }
 
 std::string particles_in_words(const Scenario& scenario) {
+  if (const auto own = scenario.model->own_particles()) return fmt::format("{} bodies", *own);
   if (scenario.particles.count) return fmt::format("{} particles", *scenario.particles.count);
   return fmt::format("particles {} apart", *scenario.particles.spacing);
 }
 
 void refuse_operators_that_do_not_fit(const Scenario& scenario) {
+  if (!scenario.differential_operator.is_named()) return;
   const AnyOperator& made = *scenario.differential_operator.made;
   const std::string name = scenario.differential_operator.name();
   const NeighbourRule rule = made.neighbour_rule();
@@ -50,6 +53,38 @@ void refuse_integrator_of_own_steps(const Scenario& scenario, const Model& model
       fmt::format("the model {} makes its own steps, and no integrator", scenario.model_type));
 }
 
+void refuse_integrators_that_do_not_fit(const Scenario& scenario, const Integrator& integrator,
+                                        Model& model) {
+  const auto& [name, type] = std::tie(scenario.time.integrator, scenario.model_type);
+  const std::string missing = integrator.missing_in(model);
+  if (!missing.empty())
+    throw InputError("time.integrator",
+                     fmt::format("{} does not suit the model {} as it is set up: "
+                                 "it needs {}",
+                                 name, type, missing));
+  if (integrator.chooses_steps() && !model.has_paths())
+    throw InputError(
+        "time.integrator",
+        fmt::format("{} chooses its steps, which the model {} must know before", name, type));
+  if (scenario.time.tolerance && !integrator.chooses_steps())
+    throw InputError("time.tolerance",
+                     fmt::format("{} does not control its error, so it has no tolerance", name));
+}
+
+void refuse_paths_that_there_are_not(const Scenario& scenario, const Integrator& integrator,
+                                     const Model& model) {
+  const std::string& path = scenario.time.dense_output;
+  if (path != "none" && !model.has_paths())
+    throw InputError("time.dense_output",
+                     fmt::format("the state of the model {} is more than values on a path, so its "
+                                 "steps have to end at snapshots",
+                                 scenario.model_type));
+  if (path == "own" && !integrator.has_path())
+    throw InputError("time.dense_output",
+                     fmt::format("{} has no path of its own between the ends of its steps",
+                                 scenario.time.integrator));
+}
+
 }  // namespace
 
 Simulation::Simulation(const Document& document, Scenario scenario, const Catalogue& catalogue,
@@ -68,7 +103,7 @@ Simulation::Simulation(const Document& document, Scenario scenario, const Catalo
     if (exact_ != nullptr) bytes_needed_ += exact_->bytes_needed();
     refuse_what_does_not_fit();
   } catch (const InputError& error) {
-    throw LocatedError(document.locate(error.key()), error.what());
+    throw LocatedError(document.locate(error.key()), error.what(), error.key());
   }
 }
 
@@ -91,13 +126,22 @@ void Simulation::build(const Document& document, const Catalogue& catalogue) {
   } else {
     make_flow(catalogue);
   }
-  refuse_integrator_of_own_steps(scenario_, *model_);
-  integrator_ = entry_named(catalogue.integrators, scenario_.time.integrator).make();
+  make_integrator(catalogue);
   conserved_at_start_ = model_->conserved();
   if (scenario_.time.step) limit_step(document);
   for (const auto& [key, message] : model_->advice()) warn(document.locate(key), message);
   if (recipe.lives_on_a_line()) make_exact(catalogue);
   make_observer();
+}
+
+void Simulation::make_integrator(const Catalogue& catalogue) {
+  refuse_integrator_of_own_steps(scenario_, *model_);
+  integrator_ = entry_named(catalogue.integrators, scenario_.time.integrator).make();
+  refuse_integrators_that_do_not_fit(scenario_, *integrator_, *model_);
+  refuse_paths_that_there_are_not(scenario_, *integrator_, *model_);
+  if (scenario_.time.tolerance) integrator_->tolerate(*scenario_.time.tolerance);
+  const std::string& path = scenario_.time.dense_output;
+  if (path != "none" && path != "own") make_path_ = entry_named(catalogue.paths, path).make;
 }
 
 void Simulation::warn(const std::string& where, const std::string& message) {
@@ -125,8 +169,14 @@ double Simulation::longest_step(double time) {
 
 Step Simulation::next_step(std::int64_t frame, std::int64_t number, double time) {
   const double longest = longest_step(time);
-  if (std::isinf(longest)) return plan_.equal_step(frame, number);
+  if (std::isinf(longest) && !integrator_->chooses_steps()) return plan_.equal_step(frame, number);
   return plan_.step_within(frame, time, longest);
+}
+
+Step Simulation::next_free_step(std::int64_t number, double time) {
+  const double longest = longest_step(time);
+  if (std::isinf(longest) && !integrator_->chooses_steps()) return plan_.free_step(number);
+  return plan_.free_step_within(time, longest);
 }
 
 void Simulation::start_afresh() {
@@ -134,15 +184,16 @@ void Simulation::start_afresh() {
   model_->start_afresh();
 }
 
-void Simulation::advance(double time, double step) {
+double Simulation::advance(double time, double step) {
   model_->begin_step(time, step);
   if (strict_ && !model_->warnings().empty())
     throw NumericalFailure(model_->warnings().front(), {},
                            "--strict makes an error of this warning");
-  integrator_->advance_one_step(*model_, time, step);
-  model_->end_step(time, step);
+  const double length = integrator_->advance(*model_, time, step);
+  model_->end_step(time, length);
   model_->update_dependent_fields();
   model_->inspect();
+  return length;
 }
 
 void Simulation::make_exact(const Catalogue& catalogue) {
@@ -198,6 +249,8 @@ void Simulation::make_flow(const Catalogue& catalogue) {
 
 /// The probes, and the checks of what they and the model tell.
 void Simulation::make_observer() {
+  if (scenario_.output.errors && exact_ == nullptr)
+    throw InputError("output.errors", "there are no errors without an exact solution");
   Triple period{};
   for (const std::string& axis : scenario_.domain.periodic) {
     const auto d = static_cast<std::size_t>(axis.front() - 'x');
@@ -206,13 +259,16 @@ void Simulation::make_observer() {
   if (!scenario_.probes.empty()) observer_.emplace(scenario_.probes, period, *model_);
   std::vector<std::string> columns{"time", "step"};
   for (const Conserved& quantity : conserved_at_start_) columns.push_back(quantity.name);
-  for (const Reading& reading : observations()) columns.push_back(reading.name);
+  for (const Reading& reading : observations(0)) columns.push_back(reading.name);
   refuse_unknown_quantities(scenario_.check.history, columns);
 }
 
-std::vector<Reading> Simulation::observations() {
+std::vector<Reading> Simulation::observations(double time) {
   std::vector<Reading> readings = model_->readings();
   if (observer_) std::ranges::move(observer_->readings(*model_), std::back_inserter(readings));
+  if (scenario_.output.errors)
+    for (const ErrorNorms& error : errors_of(*this, time))
+      readings.push_back({error.field + "_error", error.in_norm(scenario_.check.norm)});
   return readings;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,21 +40,36 @@ class Simulation {
   const std::vector<std::string>& warnings() const { return warnings_; }
 
   /// Whether the state limits the steps, and so decides how many there will be.
-  bool has_steps_of_its_own() { return std::isfinite(longest_step(0)); }
+  bool has_steps_of_its_own() {
+    return integrator_->chooses_steps() || std::isfinite(longest_step(0));
+  }
+
+  /// Whether steps know nothing of frames, and the state there is one of a path between their ends.
+  bool follows_path() const { return scenario_.time.dense_output != "none"; }
+  /// That path; null for the integrator's own.
+  std::unique_ptr<Path> path() const { return make_path_ ? make_path_() : nullptr; }
 
   /// The next step towards a frame, the `number`-th since the last one, from `time` on: one of the
   /// plan, or as long as the state allows, where the model says so. Throws NumericalFailure.
   Step next_step(std::int64_t frame, std::int64_t number, double time);
+  /// The same where steps know nothing of frames: the `number`-th of the run.
+  Step next_free_step(std::int64_t number, double time);
 
   /// Forgets what a restart would not know: to be called at every snapshot.
   void start_afresh();
 
   bool has_probes() const { return observer_.has_value(); }
-  /// What history.csv tells beside the conserved quantities.
-  std::vector<Reading> observations();
+  /// What history.csv tells beside the conserved quantities of the state at this time.
+  std::vector<Reading> observations(double time);
 
-  /// One step of the integrator, and what the model does around it. Throws NumericalFailure.
-  void advance(double time, double step);
+  /// One step of the integrator, no longer than `step`, and what the model does around it. Returns
+  /// its length. Throws NumericalFailure.
+  double advance(double time, double step);
+
+  /// What the next step depends on beside the model's state.
+  Restart restart(const Moment& moment) const {
+    return {.step = moment.step, .time = moment.time, .integrator = integrator_->memory()};
+  }
 
   /// Puts the model into the state of a snapshot. Throws InputError if it is of another scenario.
   void restore(const Snapshot& snapshot);
@@ -68,6 +84,7 @@ class Simulation {
   void make_flow(const Catalogue& catalogue);
   void refuse_early_end() const;
   void make_observer();
+  void make_integrator(const Catalogue& catalogue);
 
   Scenario scenario_;
   std::string fingerprint_, resolved_yaml_;
@@ -76,11 +93,15 @@ class Simulation {
   TimePlan plan_;
   std::unique_ptr<Model> model_;
   std::unique_ptr<Integrator> integrator_;
+  std::function<std::unique_ptr<Path>()> make_path_;
   std::unique_ptr<ExactSolution> exact_;
   std::optional<Observer> observer_;
   std::vector<Conserved> conserved_at_start_;
   std::vector<std::string> warnings_;
 };
+
+/// Errors of the state that the simulation is in, at this time, against its exact solution.
+std::vector<ErrorNorms> errors_of(const Simulation& simulation, double time);
 
 /// The certificate of the state that the simulation is in.
 Certificate certificate_of(const Simulation& simulation, const Moment& moment);

@@ -49,7 +49,7 @@ Step TimePlan::equal_step(std::int64_t frame, std::int64_t number) const {
   return {step_to(frame), time(frame, number)};
 }
 
-Step TimePlan::step_within(std::int64_t frame, double time, double longest) const {
+void TimePlan::refuse_nothing(double longest) const {
   constexpr double shortest = 1e-9;
   if (!(longest >= shortest * every_))
     throw NumericalFailure(
@@ -59,6 +59,20 @@ Step TimePlan::step_within(std::int64_t frame, double time, double longest) cons
         {},
         "particles have become so fast, or so close, that the run cannot go on; a smaller courant "
         "number may keep them apart");
+}
+
+Step TimePlan::free_step(std::int64_t number) const {
+  return {step_, static_cast<double>(number) * step_};
+}
+
+Step TimePlan::free_step_within(double time, double longest) const {
+  refuse_nothing(longest);
+  const double length = std::min(longest, step_);
+  return {length, time + length};
+}
+
+Step TimePlan::step_within(std::int64_t frame, double time, double longest) const {
+  refuse_nothing(longest);
   const double target = time_of_frame(frame), left = target - time;
   longest = std::min(longest, step_);
   if (left <= longest) return {left, target};

@@ -32,10 +32,17 @@ class TimePlan {
   /// left goes in two halves rather than in a long step and a tiny one. Throws NumericalFailure if
   /// `longest` is next to nothing or not a number.
   Step step_within(std::int64_t frame, double time, double longest) const;
+  /// Steps that know nothing of frames: the `number`-th of equal ones, and the one from `time` on
+  /// where the state allows none beyond `longest`. Throws NumericalFailure as above.
+  Step free_step(std::int64_t number) const;
+  Step free_step_within(double time, double longest) const;
+
   /// Whether a tenth of the way to `frame` is passed between these times.
   bool passes_tenth(std::int64_t frame, double before, double after) const;
 
  private:
+  void refuse_nothing(double longest) const;
+
   double step_, every_, end_;
   std::int64_t frames_;
 };

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mote/exact/exact_solution.hpp"
 #include "mote/exact/flow_solution.hpp"
 #include "mote/integrators/integrator.hpp"
+#include "mote/integrators/path.hpp"
 #include "mote/models/model.hpp"
 #include "mote/operators/differential/all.hpp"
 #include "mote/operators/kernels/all.hpp"
@@ -36,6 +38,12 @@ struct OperatorEntry {
 
 struct IntegratorEntry : Choice {
   std::function<std::unique_ptr<Integrator>()> make;
+  std::optional<double> default_tolerance;  ///< of methods that choose their steps
+};
+
+/// A path between the ends of steps, for any method.
+struct PathEntry : Choice {
+  std::function<std::unique_ptr<Path>()> make;
 };
 
 struct ModelEntry : Choice {
@@ -79,6 +87,7 @@ struct Catalogue {
   std::vector<KernelEntry> kernels;
   std::vector<OperatorEntry> operators;
   std::vector<IntegratorEntry> integrators;
+  std::vector<PathEntry> paths;
   std::vector<ModelEntry> models;
   std::vector<LayoutEntry> layouts;
   std::vector<ExactEntry> exact_solutions;
@@ -173,7 +182,10 @@ void Catalogue::add_family() {
 
 template <class Method>
 void Catalogue::add_integrator() {
-  integrators.push_back({choice_of<Method>(), [] { return std::make_unique<Method>(); }});
+  IntegratorEntry entry{choice_of<Method>(), [] { return std::make_unique<Method>(); }, {}};
+  if constexpr (requires { Method::default_tolerance; })
+    entry.default_tolerance = Method::default_tolerance;
+  integrators.push_back(std::move(entry));
 }
 
 template <class Recipe>

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "mote/integrators/system.hpp"
@@ -32,6 +33,10 @@ class Accumulator {
   void forget() {
     for (auto& lost : lost_) lost.assign(lost.size(), 0);
   }
+
+  /// What was lost so far, a list for every part.
+  const std::vector<std::vector<double>>& lost() const { return lost_; }
+  void recall(std::vector<std::vector<double>> lost) { lost_ = std::move(lost); }
 
  private:
   static void add(std::span<double> value, std::span<const double> rate, double step,

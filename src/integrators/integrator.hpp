@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mote/integrators/accumulator.hpp"
@@ -46,10 +48,18 @@ class Integrator {
   virtual std::vector<double> memory() const { return {}; }
   virtual void recall(std::span<const double> /*memory*/) {}
 
-  /// To be called at every snapshot, and so before the first step.
+  /// To be called at every snapshot, and so before the first step, unless steps go on as if there
+  /// was none: then a restart needs `rounding` beside the memory.
   void forget_rounding() {
     drift_.forget();
     kick_.forget();
+  }
+  std::array<std::vector<std::vector<double>>, 2> rounding() const {
+    return {drift_.lost(), kick_.lost()};
+  }
+  void recall_rounding(std::array<std::vector<std::vector<double>>, 2> lost) {
+    drift_.recall(std::move(lost[0]));
+    kick_.recall(std::move(lost[1]));
   }
 
  protected:

@@ -20,7 +20,7 @@ class Path {
   /// Puts the system's values where the path is at `time`, between the last two nodes.
   virtual void go_to(System& system, double time) const = 0;
 
-  /// What the path between the next two nodes depends on before they are added, for a restart.
+  /// All nodes that the path may still depend on, for a restart.
   virtual std::vector<double> memory() const = 0;
   virtual void recall(std::span<const double> memory) = 0;
 };

@@ -1,5 +1,6 @@
 #include "mote/models/own_gravity.hpp"
 
+#include "mote/models/few_bodies.hpp"
 #include "mote/models/fixed_sum.hpp"
 
 namespace mote {
@@ -13,6 +14,7 @@ constexpr std::size_t few = 6000;
 template <int D>
 OwnGravity<D>::OwnGravity(const OwnGravityOptions& options)
     : options_(options),
+      has_pairs_of_points_(options.core == "point" && options.method != "multipole"),
       direct_({SumMethod::direct, options.tolerance}, options.core),
       multipole_({SumMethod::multipole, options.tolerance}, options.core) {}
 
@@ -28,6 +30,9 @@ Gravity<D>& OwnGravity<D>::sum_for(const Sources<D>& bodies) {
 
 template <int D>
 void OwnGravity<D>::accelerate(const Sources<D>& bodies, std::span<double> acceleration) {
+  if (has_pairs_of_points_ && bodies.strength.size() <= few_bodies::most)
+    return few_bodies::accelerate<D>(options_.gravitational_constant, bodies.strength,
+                                     bodies.position, acceleration);
   sum_for(bodies).at_sources(bodies, {{}, acceleration});
   for (double& component : acceleration) component *= -options_.gravitational_constant;
 }

@@ -35,6 +35,7 @@ class OwnGravity {
   Gravity<D>& sum_for(const Sources<D>& bodies);
 
   OwnGravityOptions options_;
+  bool has_pairs_of_points_;  ///< unless there are too many
   Gravity<D> direct_, multipole_;
   std::vector<double> potential_;  ///< work
 };

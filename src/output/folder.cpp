@@ -99,8 +99,8 @@ fs::path OutputFolder::snapshot(std::int64_t frame) const {
 std::vector<std::int64_t> OutputFolder::frames() const { return frames_in(path_); }
 
 void OutputFolder::add_snapshot(const Moment& moment, const std::string& fingerprint,
-                                const Cloud& cloud, const Scene& scene) {
-  write_snapshot(snapshot(moment.frame), moment, fingerprint, cloud, scene);
+                                const Cloud& cloud, const Scene& scene, const Restart& restart) {
+  write_snapshot(snapshot(moment.frame), moment, fingerprint, cloud, scene, restart);
   times_.emplace_back(moment.frame, moment.time);
   write_series();
 }

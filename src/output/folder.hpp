@@ -53,7 +53,7 @@ class OutputFolder {
 
   /// Writes a snapshot and names it in `snapshots.hdf.series` with its time.
   void add_snapshot(const Moment& moment, const std::string& fingerprint, const Cloud& cloud,
-                    const Scene& scene);
+                    const Scene& scene, const Restart& restart = {});
 
   /// Writes `snapshots.hdf.series` anew from the snapshots that are there.
   void restore_series();

@@ -61,13 +61,47 @@ void write_vtk(hid_t file, const Cloud& cloud) {
   write_point_data(vtk, cloud);
 }
 
+/// The lists of a restart with the names of their data sets.
+template <class Lists>
+auto named_lists(Lists& restart) {
+  using List = std::remove_reference_t<decltype((restart.values))>;
+  return std::array<std::pair<std::string, List*>, 4>{{{"values", &restart.values},
+                                                       {"rounding", &restart.rounding},
+                                                       {"integrator", &restart.integrator},
+                                                       {"path", &restart.path}}};
+}
+
 /// Tells whether the numbers of a state are those that were written: FNV-1a, a number at a time.
-std::string checksum(const Cloud& cloud) {
+std::string checksum(const Cloud& cloud, const Restart& restart) {
   std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const Field& field : cloud.fields())
-    for (const double value : field.values)
+  const auto add = [&](const std::vector<double>& values) {
+    for (const double value : values)
       hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3u;
+  };
+  for (const Field& field : cloud.fields()) add(field.values);
+  for (const auto& [name, list] : named_lists(restart)) add(*list);
   return fmt::format("{:016x}", hash);
+}
+
+void write_start_of_step(hid_t group, const Restart& restart) {
+  if (restart.empty()) return;
+  const hdf5::Handle start = hdf5::create_group(group, "start_of_step");
+  hdf5::write_attribute(start, "step", std::span(&restart.step, 1));
+  hdf5::write_attribute(start, "time", restart.time);
+  for (const auto& [name, list] : named_lists(restart))
+    if (!list->empty())
+      hdf5::write(start, name, H5T_NATIVE_DOUBLE, list->data(), static_cast<hsize_t>(list->size()));
+}
+
+Restart read_start_of_step(hid_t group) {
+  Restart restart;
+  if (!hdf5::has(group, "start_of_step")) return restart;
+  const hdf5::Handle start = hdf5::open_group(group, "start_of_step");
+  restart.step = hdf5::read_integer(start, "step");
+  restart.time = hdf5::read_double(start, "time");
+  for (const auto& [name, list] : named_lists(restart))
+    if (hdf5::has(start, name)) *list = hdf5::read_doubles(start, name);
+  return restart;
 }
 
 /// The corners of bodies that have no particles, by the number of the body.
@@ -101,17 +135,18 @@ void write_scene(hid_t group, const Scene& scene) {
 /// The restart group: attributes, and each field with its components; scalars are hard links to
 /// the arrays that VTK reads.
 void write_restart(hid_t file, const Moment& moment, const std::string& fingerprint,
-                   const Cloud& cloud, const Scene& scene) {
+                   const Cloud& cloud, const Scene& scene, const Restart& restart) {
   const hdf5::Handle group = hdf5::create_group(file, "mote");
   hdf5::write_attribute(group, "frame", std::span(&moment.frame, 1));
   hdf5::write_attribute(group, "step", std::span(&moment.step, 1));
   hdf5::write_attribute(group, "time", moment.time);
   hdf5::write_attribute(group, "scenario", fingerprint);
-  hdf5::write_attribute(group, "checksum", checksum(cloud));
+  hdf5::write_attribute(group, "checksum", checksum(cloud, restart));
   const std::int64_t dimension = cloud.dimension(), count = cloud.count();
   hdf5::write_attribute(group, "dimension", std::span(&dimension, 1));
   hdf5::write_attribute(group, "particles", std::span(&count, 1));
   if (!scene.bodies.empty()) write_scene(group, scene);
+  write_start_of_step(group, restart);
   const hdf5::Handle state = hdf5::create_group(group, "state");
   for (const Field& field : cloud.fields()) {
     if (field.kind == FieldKind::vector) {
@@ -146,14 +181,20 @@ Cloud read_cloud(hid_t group) {
       throw std::runtime_error("the field " + name + " has the wrong size");
     std::ranges::copy(values, target.begin());
   }
-  if (checksum(cloud) != hdf5::read_string(group, "checksum"))
-    throw std::runtime_error("its numbers are not those that were written");
   return cloud;
 }
 
 Moment moment_in(hid_t group) {
   return {hdf5::read_integer(group, "frame"), hdf5::read_integer(group, "step"),
           hdf5::read_double(group, "time")};
+}
+
+Snapshot read_whole(hid_t group) {
+  Snapshot snapshot{moment_in(group), hdf5::read_string(group, "scenario"), read_cloud(group),
+                    read_start_of_step(group)};
+  if (checksum(snapshot.cloud, snapshot.restart) != hdf5::read_string(group, "checksum"))
+    throw std::runtime_error("its numbers are not those that were written");
+  return snapshot;
 }
 
 /// What `read` makes of the restart group of a file, or an InputError that names the file.
@@ -174,12 +215,13 @@ auto read_restart(const std::filesystem::path& path, Read read) {
 Scene scene_of(const Model& model) { return {model.spacing(), model.bodies()}; }
 
 void write_snapshot(const std::filesystem::path& path, const Moment& moment,
-                    const std::string& fingerprint, const Cloud& cloud, const Scene& scene) {
+                    const std::string& fingerprint, const Cloud& cloud, const Scene& scene,
+                    const Restart& restart) {
   hdf5::be_quiet();
   try {
     const hdf5::Handle file = hdf5::create_file(unfinished(path).string());
     write_vtk(file, cloud);
-    write_restart(file, moment, fingerprint, cloud, scene);
+    write_restart(file, moment, fingerprint, cloud, scene, restart);
     hdf5::require(H5Fflush(file, H5F_SCOPE_LOCAL), "the disk may be full");
   } catch (const std::runtime_error& error) {
     throw InputError(
@@ -192,10 +234,6 @@ Moment read_moment(const std::filesystem::path& path) {
   return read_restart(path, [](hid_t group) { return moment_in(group); });
 }
 
-Snapshot read_snapshot(const std::filesystem::path& path) {
-  return read_restart(path, [](hid_t group) {
-    return Snapshot{moment_in(group), hdf5::read_string(group, "scenario"), read_cloud(group)};
-  });
-}
+Snapshot read_snapshot(const std::filesystem::path& path) { return read_restart(path, read_whole); }
 
 }  // namespace mote

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "mote/models/model.hpp"
 #include "mote/particles/cloud.hpp"
@@ -24,11 +25,25 @@ struct Scene {
 };
 Scene scene_of(const Model& model);
 
+/// What a run goes on from after a snapshot where that is more than the state shown: the start of
+/// the last step taken, which may be before the snapshot, and what it depended on.
+struct Restart {
+  std::int64_t step = 0;
+  double time = 0;
+  std::vector<double> values;      ///< all that drifts, then all that is kicked
+  std::vector<double> rounding;    ///< what it lost in them, where that is kept
+  std::vector<double> integrator;  ///< the integrator's memory
+  std::vector<double> path;        ///< that of the path between the ends of steps
+
+  bool empty() const { return values.empty() && integrator.empty(); }
+};
+
 /// A snapshot as it stands in a file: the state and which run it belongs to.
 struct Snapshot {
   Moment moment;
   std::string fingerprint;  ///< of the resolved scenario
   Cloud cloud;
+  Restart restart;
 };
 
 /// Writes a snapshot as one HDF5 file: the group `VTKHDF` (1.0, unstructured grid of one
@@ -36,7 +51,8 @@ struct Snapshot {
 /// file appears whole or not at all, and depends on the state and the scene alone. Throws
 /// InputError.
 void write_snapshot(const std::filesystem::path& path, const Moment& moment,
-                    const std::string& fingerprint, const Cloud& cloud, const Scene& scene = {});
+                    const std::string& fingerprint, const Cloud& cloud, const Scene& scene = {},
+                    const Restart& restart = {});
 
 /// When a snapshot was taken, without reading its state. Throws InputError as below.
 Moment read_moment(const std::filesystem::path& path);

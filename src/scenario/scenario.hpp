@@ -58,11 +58,14 @@ struct Scenario {
     std::optional<double> courant;  ///< Courant number of a step, in space
     std::optional<double> step;     ///< longest step; in space there may be none
     double end = 0;
+    std::optional<double> tolerance;    ///< of integrators that choose their steps
+    std::string dense_output = "none";  ///< what gives the state at snapshots
   } time;
 
   struct Output {
     std::optional<double> every;  ///< time between snapshots
     std::int64_t history = 0;     ///< steps between rows of history.csv
+    bool errors = false;          ///< whether they tell the errors against the exact solution
     bool picture = true;
   } output;
 
