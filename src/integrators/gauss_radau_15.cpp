@@ -139,8 +139,8 @@ void GaussRadau15::start(System& system, double time) {
 void GaussRadau15::resize(std::size_t count) {
   count_ = count;
   last_step_ = next_step_ = predictions_ = 0;
-  for (Column* column : {&place_, &velocity_, &lost_place_, &lost_velocity_, &start_place_,
-                         &start_velocity_, &start_, &rate_, &moved_, &jerk_, &snap_})
+  for (PackedColumn* column : {&place_, &velocity_, &lost_place_, &lost_velocity_, &start_place_,
+                               &start_velocity_, &start_, &rate_, &moved_, &jerk_, &snap_})
     column->resize(count);
   for (Nodes* of_nodes : {&change_, &predicted_, &next_, &foretold_})
     of_nodes->assign(place_.packs(), {});
@@ -150,7 +150,7 @@ void GaussRadau15::resize(std::size_t count) {
 double GaussRadau15::first_step(double longest) const {
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t first = 0; first < count_; first += dimension_) {
-    const auto size = [&](const Column& column) {
+    const auto size = [&](const PackedColumn& column) {
       const double* numbers = column.begin() + first;
       return std::sqrt(std::inner_product(numbers, numbers + dimension_, numbers, 0.0));
     };
@@ -244,7 +244,7 @@ double GaussRadau15::time_of_change(double step) {
   }
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t first = 0; first < count_; first += dimension_) {
-    const auto square = [&](const Column& column) {
+    const auto square = [&](const PackedColumn& column) {
       const double* numbers = column.begin() + first;
       return std::inner_product(numbers, numbers + dimension_, numbers, 0.0);
     };

@@ -70,18 +70,19 @@ class GaussRadau15 final : public Integrator {
   static void visit_memory(auto& method, Visit visit);
 
   double tolerance_ = default_tolerance;
-  std::size_t count_ = 0;                        ///< of the numbers that are places
-  std::size_t dimension_ = 0;                    ///< how many of them are one body's
-  double last_step_ = 0, next_step_ = 0;         ///< 0 before the first
-  double predictions_ = 0;                       ///< steps since the first, up to 2
-  Column place_, velocity_;                      ///< at the end of the last step
-  Column lost_place_, lost_velocity_;            ///< what rounding added to them
-  Column start_place_, start_velocity_, start_;  ///< of the last step: places, velocities, rates
+  std::size_t count_ = 0;                    ///< of the numbers that are places
+  std::size_t dimension_ = 0;                ///< how many of them are one body's
+  double last_step_ = 0, next_step_ = 0;     ///< 0 before the first
+  double predictions_ = 0;                   ///< steps since the first, up to 2
+  PackedColumn place_, velocity_;            ///< at the end of the last step
+  PackedColumn lost_place_, lost_velocity_;  ///< what rounding added to them
+  PackedColumn start_place_, start_velocity_,
+      start_;        ///< of the last step: places, velocities, rates
   Nodes change_;     ///< of the acceleration from the start of the last step to its nodes
   Nodes predicted_;  ///< the same as the step before it foretold
 
-  Column rate_, moved_, jerk_, snap_;  ///< work
-  Nodes next_, foretold_;              ///< of the step that is being taken
+  PackedColumn rate_, moved_, jerk_, snap_;  ///< work
+  Nodes next_, foretold_;                    ///< of the step that is being taken
 };
 
 }  // namespace mote

@@ -31,7 +31,7 @@ inline double largest_of(const Pack& pack) {
 }
 
 /// The numbers of all parts of a system one after the other, in whole packs; zeros fill the last.
-class Column {
+class PackedColumn {
  public:
   void resize(std::size_t count) { packs_.assign((count + pack_size - 1) / pack_size, Pack{}); }
   std::size_t packs() const { return packs_.size(); }
