@@ -72,9 +72,11 @@ struct Orbit {
 };
 
 /// The root by bisection: F grows with X. For orbits whose iteration does not come to an end.
-[[gnu::noinline]] Pack bisected(const Orbit& orbit) {
+[[gnu::noinline]] void bisect(const Orbit& orbit, Pack& root) {
   Pack low = Pack{} - 1, high = Pack{} + 1;
-  const auto excess = [&](const Pack& x) { return orbit.excess(x, universal(orbit.beta, x)); };
+  const auto excess = [&](const Pack& x) __attribute__((always_inline)) {
+    return orbit.excess(x, universal(orbit.beta, x));
+  };
   for (int k = 0; k < 60; ++k) {
     low = excess(low) > 0 ? 2 * low : low;
     high = excess(high) < 0 ? 2 * high : high;
@@ -85,7 +87,7 @@ struct Orbit {
     high = beyond ? middle : high;
     low = beyond ? low : middle;
   }
-  return (low + high) / 2;
+  root = (low + high) / 2;
 }
 
 /// X from the first terms of its series in time where they are good, and from the mean motion.
@@ -110,10 +112,12 @@ struct Orbit {
     const Pack f = orbit.excess(x, u), r = orbit.distance_at(u);
     const Pack change = 5 * f / (r + root(magnitude(16 * r * r - 20 * f * orbit.slope_at(u))));
     x -= change;
-    const Pack beyond = magnitude(change) - good * magnitude(x);
-    if (!(largest_of(beyond) > 0)) return x;
+    // Not so for what is not a number, where a far guess overflowed.
+    const Pack open = magnitude(change) <= good * magnitude(x) ? Pack{} : Pack{} + 1;
+    if (largest_of(open) == 0) return x;
   }
-  return bisected(orbit);
+  bisect(orbit, x);
+  return x;
 }
 
 /// The part of `time` that is left of whole periods, where there are any.

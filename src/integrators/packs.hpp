@@ -8,6 +8,10 @@
 
 #include "mote/integrators/system.hpp"
 
+// How packs are handed over depends on the instruction set. Only functions that are compiled
+// together do so.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
 namespace mote {
 
 /// Eight numbers side by side. Operations on them are those on the numbers, so that the bits of a

@@ -49,6 +49,52 @@ TEST(WisdomHolman, MovesTwoBodiesExactlyByAnyStep) {
       EXPECT_LT(error_for_two(eccentricity, 7, step), 1e-13) << step << ' ' << eccentricity;
 }
 
+/// Eight bodies at the pericentre, one from the centre, of orbits of all kinds.
+struct Passages {
+  PackVector place{}, velocity{};
+  Passages() {
+    place[0] += 1;
+    for (std::size_t k = 0; k < pack_size; ++k) velocity[1][k] = std::sqrt(1 + eccentricity[k]);
+  }
+  double energy(std::size_t k) const {
+    return (velocity[0][k] * velocity[0][k] + velocity[1][k] * velocity[1][k]) / 2 -
+           1 / std::hypot(place[0][k], place[1][k]);
+  }
+  double turn(std::size_t k) const {
+    return place[0][k] * velocity[1][k] - place[1][k] * velocity[0][k];
+  }
+  static constexpr double eccentricity[] = {0, 0.5, 0.99, 1, 1.0001, 2, 10, 100};
+};
+
+/// Energies and turns must be kept, and the way back lead to the start: whatever the time.
+TEST(KeplerMotion, IsFoundForEveryOrbitAndTime) {
+  for (const double time : {1e-6, 0.1, 3.0, 50.0, 1e4}) {
+    Passages bodies;
+    move_on_orbits(Pack{} + 1, time, bodies.place, bodies.velocity);
+    for (std::size_t k = 0; k < pack_size; ++k) {
+      const double e = Passages::eccentricity[k];
+      EXPECT_NEAR(bodies.energy(k), (e - 1) / 2, 1e-13 * (1 + e)) << e << ' ' << time;
+      EXPECT_NEAR(bodies.turn(k), std::sqrt(1 + e), 1e-12 * (1 + time)) << e << ' ' << time;
+    }
+    move_on_orbits(Pack{} + 1, -time, bodies.place, bodies.velocity);
+    for (std::size_t k = 0; k < pack_size; ++k)
+      EXPECT_NEAR(bodies.place[0][k], 1, 1e-11 * (1 + time)) << Passages::eccentricity[k];
+  }
+}
+
+TEST(KeplerMotion, IsNotThatOfAnotherPull) {
+  Passages bodies;
+  move_on_orbits(Pack{} + 1 + 1e-9, 3, bodies.place, bodies.velocity);
+  EXPECT_GT(std::abs(bodies.energy(1) - -0.25), 1e-11);
+}
+
+TEST(KeplerMotion, IsStraightWhereNothingPulls) {
+  Passages bodies;
+  move_on_orbits(Pack{}, 4, bodies.place, bodies.velocity);
+  EXPECT_EQ(bodies.place[0][0], 1);
+  EXPECT_EQ(bodies.place[1][0], 4);
+}
+
 /// Two planets of this part of the mass, on orbits a little eccentric and inclined.
 MassPoints two_planets(double part) {
   return {1,
