@@ -2,10 +2,20 @@
 import math
 
 from compare_plots.picture import MOST_MARKERS, Profiles, line_style
+from compare_plots.work_precision import compares_work
 from run_plots.flow import observed
 from run_plots.reading import label, read_columns, read_dimension, read_summary, read_time
 
 MOST_PANELS = 4
+DRIFT = "relative drift of energy"
+
+
+def values_of(history, name):
+    """A column, or how far the energy has gone from its first value; NaN where it has not."""
+    if name != DRIFT:
+        return history[name]
+    energy = history["energy"]
+    return [abs(value / (energy[0] or math.nan) - 1) or math.nan for value in energy]
 
 
 def last_snapshots(member):
@@ -33,12 +43,16 @@ class Histories(Profiles):
         names = [name for columns in (groups[0].values() if groups else ()) for name in columns]
         self.fields = [name for name in names
                        if all(name in shot[1] for shot in self.snapshots.values())][:MOST_PANELS]
+        if compares_work(table):
+            self.fields = [DRIFT] + self.fields[:MOST_PANELS - 1]
 
     def draw(self, axes, name, summary):
         for k, (_, history) in self.snapshots.items():
             every = math.ceil(len(history["time"]) / MOST_MARKERS)
-            axes.plot(history["time"], history[name], markevery=every, zorder=3,
+            axes.plot(history["time"], values_of(history, name), markevery=every, zorder=3,
                       **line_style(k, len(self.members), 1.0))
+        if name == DRIFT or name.endswith("_error"):
+            axes.set_yscale("log")
         axes.set_ylabel(name)
         axes.set_xlabel(label("t", "s", summary))
         axes.grid(color="0.92")

@@ -1,5 +1,6 @@
 """compare.png: fields at the end above, errors against resolution below."""
 import math
+from functools import partial
 
 from matplotlib.lines import Line2D
 from matplotlib.ticker import NullFormatter
@@ -85,7 +86,7 @@ def draw_errors(axes, field, table, summary):
     resolutions = table.resolutions()
     start = max((member.error(field) for line in lines for member in line
                  if member.resolution == resolutions[0]), default=0)
-    if start > 0:
+    if start > 0 and table.refinement != "time.tolerance":
         add_slope(axes, (resolutions[0], resolutions[-1]), start,
                   2 if table.refinement == "time.step" else -2 / summary.get("dimension", 1))
     shown = resolutions[::-math.ceil(len(resolutions) / MOST_RESOLUTIONS)]
@@ -93,8 +94,8 @@ def draw_errors(axes, field, table, summary):
     axes.set_xticks([], minor=True)
     axes.yaxis.set_minor_formatter(NullFormatter())
     axes.set_ylabel(f"relative L2 error of {field} [–]")
-    axes.set_xlabel("particles [–]" if table.refinement == "particles.count"
-                    else label("time step", "s", summary))
+    axes.set_xlabel({"particles.count": "particles [–]", "time.tolerance": "tolerance [–]"}.get(
+        table.refinement, label("time step", "s", summary)))
     axes.grid(color="0.92")
 
 
@@ -110,11 +111,12 @@ def subtitle(table, profiles):
     return "; ".join(words)
 
 
-def note_handles(table, fields):
+def note_handles(table, below):
     """What the error panels have beside the members."""
-    errors = [member.error(field) for members in table.lines.values() for member in members
-              for field in fields]
-    slope = [Line2D([], [], **SLOPE)] if fields else []
+    columns = [panel.keywords.get("column") or f"{panel.keywords['field']}_l2" for panel in below]
+    errors = [member.size(column) for members in table.lines.values() for member in members
+              for column in columns]
+    slope = [Line2D([], [], **SLOPE)] if any(panel.func is draw_errors for panel in below) else []
     return slope + ([Line2D([], [], linestyle="none", label=ZERO_NOTE)] if 0 in errors else [])
 
 
@@ -127,17 +129,25 @@ def place_legend(figure, free, handles):
         add_legend(figure, handles)
 
 
-def draw(folder, table, profiles):
+def error_panels(table):
+    """One for each field, if the members differ in resolution."""
+    fields = sorted(table.fields, key="position".__eq__) if table.refinement else []
+    return [partial(draw_errors, field=field, table=table) for field in fields]
+
+
+def draw(folder, table, profiles, below):
+    """Profiles above, and the panels `below`, which take axes and the summary."""
     # The first that has one: a run that was killed does not.
     summary = read_summary(min((member.folder for member in profiles.members),
                                key=lambda own: not (own / "summary.json").exists()))
-    below = sorted(table.fields, key="position".__eq__) if table.refinement else []
     figure, grid = make_grid(2 if below else 1, max(len(profiles.fields), len(below), 1))
     arrange(figure, grid, (4.2, 2.9), (0.85, 0.6))
     for axes, name in zip(grid[0], profiles.fields):
         profiles.draw(axes, name, summary)
-    for axes, field in zip(grid[-1], below):
-        draw_errors(axes, field, table, summary)
+    for axes, panel in zip(grid[-1], below):
+        panel(axes, summary=summary)
+    for axes in grid[-1][len(below):] if below else ():
+        axes.axis("off")
     free = list(grid[0][len(profiles.fields):])
     for axes in free:
         axes.axis("off")

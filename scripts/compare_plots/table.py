@@ -3,7 +3,8 @@ import csv
 import math
 import sys
 
-REFINEMENT = ("particles.count", "time.step")
+REFINEMENT = ("particles.count", "time.step", "time.tolerance")
+FALLING = REFINEMENT[1:]  # finer where they are smaller
 
 
 def number(text):
@@ -26,7 +27,7 @@ class Member:
         if refinement is None:
             return math.nan
         given = number(self.row[refinement])
-        if not math.isnan(given):
+        if not math.isnan(given) or refinement == "time.tolerance":
             return given
         if refinement == "particles.count":
             return number(self.row["particles"])
@@ -35,17 +36,25 @@ class Member:
     def error(self, field):
         return number(self.row[f"{field}_l2"])
 
+    def size(self, column):
+        """The magnitude of an error or a drift."""
+        return abs(number(self.row[column]))
+
+    @property
+    def evaluations(self):
+        return number(self.row["evaluations"])
+
     @property
     def failed(self):
         return bool(self.row["failure"])
-
 
 
 class Table:
     """Members in lines: those that differ in resolution alone, the coarsest first."""
 
     def __init__(self, folder, rows, columns):
-        keys = columns[:columns.index("time")]
+        keys = self.all_keys = columns[:columns.index("time")]
+        self.columns = columns
         found = [key for key in REFINEMENT
                  if key in keys and len({row[key] for row in rows}) > 1]
         self.refinement = found[0] if found else None
@@ -56,7 +65,7 @@ class Table:
             member = Member(folder, row, keys, self.refinement)
             self.lines.setdefault(tuple(member.values), []).append(member)
         for members in self.lines.values():
-            members.sort(key=lambda m: m.resolution, reverse=self.refinement == "time.step")
+            members.sort(key=lambda m: m.resolution, reverse=self.refinement in FALLING)
 
     def words(self, values):
         """The values of a line, and which of its members failed when."""
@@ -70,7 +79,7 @@ class Table:
     def resolutions(self):
         """All there are, the coarsest first."""
         return sorted({member.resolution for members in self.lines.values() for member in members},
-                      reverse=self.refinement == "time.step")
+                      reverse=self.refinement in FALLING)
 
     def finest(self):
         return [members[-1] for members in self.lines.values()]

@@ -11,10 +11,11 @@ NOT_OBSERVED = ("time", "step", "kinetic_energy", "potential_energy", "compressi
                 "viscous_power", "highest_speed", "removed",
                 "volume_error", "divergence", "iterations", "residual", "solver_share",
                 "angular_momentum", "vortices", "impulse_x", "impulse_y",
-                "angular_impulse", "sheet_circulation")  # nor what is conserved
+                "angular_impulse", "sheet_circulation", "collisions")  # nor what is conserved
 VORTEX_UNITS = {"hamiltonian": "m⁴/s²", "second_moment": "m²", "separation": "m", "angle": "rad",
                 "rotation_rate": "1/s", "magnitude": "m³/s",
                 "virial_ratio": "1", "slip": "m/s"}  # of readings that are what their names say
+ERROR = "relative error"
 OUTLIERS = 0.2  # per cent of the particles at each end whose colour may be that of the limit
 STRAGGLERS = 2  # per cent of bodies beyond each end of an axis that are not shown
 SLANT = 0.35  # how far one metre away goes up and to the right in the view of three dimensions
@@ -109,6 +110,8 @@ def quantity_of(column):
         return column
     if column.startswith("centre"):
         return "place"
+    if column.endswith("_error"):
+        return ERROR
     for field in ("pressure", "velocity", "density"):
         if f"_{field}" in column:
             return field
@@ -139,6 +142,8 @@ def draw_history(axes, history, columns, text, summary):
         axes.plot(history["time"], history[name], linewidth=1, label=name)
     axes.set_xlabel(label("t", "s", summary))
     axes.set_ylabel(text)
+    if text.startswith(ERROR):
+        axes.set_yscale("log", nonpositive="mask")
     axes.grid(color="0.9")
     if len(columns) > 1 or not text.startswith(columns[0]):
         axes.legend(fontsize=7, frameon=False)
@@ -157,6 +162,19 @@ def arrange(panels, kinds):
     return figure, pictures, below
 
 
+def draw_histories(figure, history, kinds, dimension, summary):
+    """A panel for each kind of what was observed, two in a row."""
+    if not kinds:
+        return
+    grid = figure.subplots(-(-len(kinds) // 2), min(2, len(kinds)), squeeze=False)
+    for axes, (kind, columns) in zip(grid.flat, kinds.items()):
+        text = (f"{ERROR} [–]" if kind == ERROR
+                else label(kind, unit_of(kind, dimension), summary))
+        draw_history(axes, history, columns, text, summary)
+    for axes in grid.flat[len(kinds):]:
+        axes.axis("off")
+
+
 def draw_flow(folder, shown, summary):
     """The figure: speed and pressure of the particles, and the history of the run."""
     snapshot = FlowSnapshot(shown, ("velocity", "pressure", "vorticity", "potential"))
@@ -168,11 +186,5 @@ def draw_flow(folder, shown, summary):
     for axes, (panel, name, title) in zip(pictures, panels):
         panel.draw(axes, name, *fields[name], summary)
         axes.set_title(title, fontsize=9)
-    if kinds:
-        grid = below.subplots(-(-len(kinds) // 2), min(2, len(kinds)), squeeze=False)
-        for axes, (kind, columns) in zip(grid.flat, kinds.items()):
-            text = label(kind, unit_of(kind, snapshot.position.shape[1]), summary)
-            draw_history(axes, history, columns, text, summary)
-        for axes in grid.flat[len(kinds):]:
-            axes.axis("off")
+    draw_histories(below, history, kinds, snapshot.position.shape[1], summary)
     return figure

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <cmath>
@@ -61,17 +62,6 @@ Table reference_of(const Simulation& simulation, const std::vector<Index>& parti
   return simulation.exact()->at_places(places_of(model.cloud(), particles), time);
 }
 
-void compare_with_exact(const Simulation& simulation, double time, Certificate& certificate) {
-  const std::vector<Index> particles = compared(simulation.model());
-  const Table reference = reference_of(simulation, particles, time);
-  for (const Column& column : reference)
-    for (const Field& field : simulation.model().cloud().fields()) {
-      const auto columns = columns_of(field, reference);
-      if (!columns.empty() && columns.front() == &column)
-        certificate.errors.push_back(error_of(field, particles, columns));
-    }
-}
-
 /// The most memory that this process had, in bytes a particle.
 double peak_bytes_per_particle(const Model& model) {
   rusage usage{};
@@ -81,9 +71,8 @@ double peak_bytes_per_particle(const Model& model) {
 
 /// The error of a field in the norm that the scenario's limits are meant in.
 CheckResult error_check(const ErrorNorms& error, const std::string& norm, double limit) {
-  if (norm == "l1") return {error.field + " relative L1 error", error.l1, limit};
-  if (norm == "max") return {error.field + " relative largest error", error.max, limit};
-  return {error.field + " relative L2 error", error.l2, limit};
+  const char* words = norm == "l1" ? "L1" : norm == "l2" ? "L2" : "largest";
+  return {fmt::format("{} relative {} error", error.field, words), error.in_norm(norm), limit};
 }
 
 /// Sets the numbers of the certificate against the limits of the scenario.
@@ -123,13 +112,26 @@ Certificate certificate_without_results(const Simulation& simulation, const Mome
 
 }  // namespace
 
+std::vector<ErrorNorms> errors_of(const Simulation& simulation, double time) {
+  const std::vector<Index> particles = compared(simulation.model());
+  const Table reference = reference_of(simulation, particles, time);
+  std::vector<ErrorNorms> errors;
+  for (const Column& column : reference)
+    for (const Field& field : simulation.model().cloud().fields()) {
+      const auto columns = columns_of(field, reference);
+      if (!columns.empty() && columns.front() == &column)
+        errors.push_back(error_of(field, particles, columns));
+    }
+  return errors;
+}
+
 Certificate certificate_of(const Simulation& simulation, const Moment& moment) {
   const Model& model = simulation.model();
   Certificate certificate = certificate_without_results(simulation, moment);
   certificate.remarks = model.remarks();
   certificate.conservation = drifts(simulation.conserved_at_start(), model.conserved());
   if (simulation.exact() != nullptr) {
-    compare_with_exact(simulation, moment.time, certificate);
+    certificate.errors = errors_of(simulation, moment.time);
     certificate.remarks.push_back(simulation.exact()->statement() + ".");
   }
   const Scenario::Check& check = simulation.scenario().check;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <functional>
+#include <optional>
 
 #include "mote/app/commands.hpp"
 #include "mote/app/member_runs.hpp"
@@ -32,6 +34,13 @@ const FolderKind compare_folder{"comparison",
                                 "# The comparison as it was run.",
                                 {"compare.csv", "compare.md", picture_name}};
 
+/// Whether a run was refused because its integrator does not suit it: nothing that is misspelt, but
+/// what a comparison of integrators finds out.
+bool is_of_the_integrator(const LocatedError& error) {
+  return error.key() == "time.integrator" || error.key() == "time.tolerance" ||
+         error.key() == "time.dense_output";
+}
+
 /// Makes a member as a run would, without running it; notes what the comparison must know of it.
 /// Returns the memory that it needs.
 double try_member(const Document& document, const Catalogue& catalogue, bool strict,
@@ -46,19 +55,24 @@ double try_member(const Document& document, const Catalogue& catalogue, bool str
   return simulation.bytes_needed();
 }
 
-/// All members, one after the other. Throws LocatedError for the first that cannot be. Returns the
-/// memory that the largest needs.
+/// All members, one after the other. Throws LocatedError for the first that cannot be, but for
+/// those whose integrator does not suit, if there are others. Returns the memory that the largest
+/// needs.
 double try_members(const Document& base, const Catalogue& catalogue, bool strict,
                    Comparison& comparison) {
   double largest = 0;
+  std::optional<LocatedError> unsuited;
   for (Member& member : comparison.members) {
     const Document document = document_of(base, comparison, member);
     try {
       largest = std::max(largest, try_member(document, catalogue, strict, comparison, member));
     } catch (const LocatedError& error) {
-      throw LocatedError(error, fmt::format(" (in the member {})", comparison.label(member)));
+      unsuited = LocatedError(error, fmt::format(" (in the member {})", comparison.label(member)));
+      if (!is_of_the_integrator(error)) throw *unsuited;
+      member.unsuited = error.message();
     }
   }
+  if (std::ranges::all_of(comparison.members, std::not_fn(&Member::suits))) throw *unsuited;
   return largest;
 }
 

@@ -45,12 +45,28 @@ double largest_error(const std::vector<double>& values, const std::vector<double
   return worst;
 }
 
+bool is_meant(const HistoryCheck& check, double t) {
+  return !(check.from && t < *check.from) && !(check.until && t > *check.until);
+}
+
+/// The largest value of all rows that a check is meant for, times the sign. NaN, and none, are
+/// larger than all others.
+double largest_of(double sign, const HistoryCheck& check, const Curve& curve) {
+  double largest = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < curve.time.size(); ++k) {
+    if (!is_meant(check, curve.time[k])) continue;
+    if (std::isnan(curve.value[k])) return curve.value[k];
+    largest = std::max(largest, sign * curve.value[k]);
+  }
+  return std::isfinite(largest) ? largest : std::numeric_limits<double>::quiet_NaN();
+}
+
 double error_of_formula(const HistoryCheck& check, const Curve& curve, const Constants& constants) {
   const Expression formula(check.formula, constants);
   std::vector<double> values, expected;
   for (std::size_t k = 0; k < curve.time.size(); ++k) {
     const double t = curve.time[k];
-    if ((check.from && t < *check.from) || (check.until && t > *check.until)) continue;
+    if (!is_meant(check, t)) continue;
     values.push_back(curve.value[k]);
     expected.push_back(formula({.t = t}));
   }
@@ -79,6 +95,7 @@ double error_of_rate(const HistoryCheck& check, const Curve& curve) {
 std::string label_of(const HistoryCheck& check) {
   const std::string& name = check.quantity;
   const std::string when = check.at ? fmt::format(" at t = {:.6g}", *check.at) : " at the end";
+  if (check.throughout) return name + " at all times";
   if (check.has_bounds()) return name + when;
   if (check.value) return fmt::format("{}{}, relative error to {:.6g}", name, when, *check.value);
   if (check.decay_rate)
@@ -92,8 +109,12 @@ void append_results(const HistoryCheck& check, const Curve& curve, const Constan
                     std::vector<CheckResult>& results) {
   const std::string label = label_of(check);
   const double there = check.at ? curve.at(*check.at) : curve.value.back();
-  if (check.most) results.push_back({label, there, *check.most});
-  if (check.least) results.push_back({label, there, *check.least, CheckResult::Sense::at_least});
+  const auto value = [&](double sign) {
+    return check.throughout ? sign * largest_of(sign, check, curve) : there;
+  };
+  if (check.most) results.push_back({label, value(1), *check.most});
+  if (check.least)
+    results.push_back({label, value(-1), *check.least, CheckResult::Sense::at_least});
   if (!check.error) return;
   double error = 0;
   if (check.value)

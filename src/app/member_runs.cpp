@@ -32,6 +32,7 @@ std::vector<std::string> MemberRuns::arguments_of(const Member& member) const {
 
 void MemberRuns::start(std::size_t member) {
   const Member& started = table_.comparison().members[member];
+  if (!started.suits()) return finish({member, started.unsuited});
   try {
     children_.start(member, arguments_of(started), folder_ / (started.folder + ".log"));
   } catch (const InputError& error) {

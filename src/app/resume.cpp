@@ -41,7 +41,7 @@ int resume(const Catalogue& catalogue, const RunOptions& options) {
     if (!options.quiet) fmt::print("{}: this run is complete\n", *options.out);
     return passed(folder) ? 0 : 1;
   }
-  folder.history().resume(last.moment, history_columns(simulation));
+  folder.history().resume(last.moment, history_columns(simulation, last.moment.time));
   folder.restore_series();
   return RunLoop(simulation, folder, progress_style(options), last.moment, last.restart).go_on();
 }

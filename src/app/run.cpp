@@ -14,7 +14,7 @@ int run(const Catalogue& catalogue, const RunOptions& options) {
   write_file(folder.file("run.yaml"),
              fmt::format("{}\n{}", run_file_mark, simulation.resolved_yaml()));
   const Moment start;
-  const auto columns = history_columns(simulation);
+  const auto columns = history_columns(simulation, start.time);
   folder.history().begin(columns);
   folder.history().add(start, columns);
   simulation.model().complete_snapshot();

@@ -17,12 +17,12 @@
 
 namespace mote {
 
-std::vector<Reading> history_columns(Simulation& simulation) {
+std::vector<Reading> history_columns(Simulation& simulation, double time) {
   if (simulation.has_probes()) simulation.model().complete_fields();
   std::vector<Reading> columns;
   for (const Conserved& quantity : simulation.model().conserved())
     columns.push_back({quantity.name, quantity.value});
-  std::ranges::move(simulation.observations(), std::back_inserter(columns));
+  std::ranges::move(simulation.observations(time), std::back_inserter(columns));
   return columns;
 }
 
@@ -113,7 +113,7 @@ void RunLoop::step_past(std::int64_t frame) {
 }
 
 void RunLoop::add_row(const Moment& moment) {
-  folder_.history().add(moment, history_columns(simulation_));
+  folder_.history().add(moment, history_columns(simulation_, moment.time));
 }
 
 /// Whether a step that ends at or before a frame gets a row in the history: the last one to the

@@ -11,8 +11,9 @@
 
 namespace mote {
 
-/// What a row of history.csv holds beside time and step, with all fields brought up to date.
-std::vector<Reading> history_columns(Simulation& simulation);
+/// What a row of history.csv for this time holds beside time and step, with all fields brought up
+/// to date.
+std::vector<Reading> history_columns(Simulation& simulation, double time);
 
 /// Steps a simulation from `start`, the state that it is in, to its end with snapshots and history,
 /// writes the certificate and the picture, and says how it went. Returns the exit code: 0 every

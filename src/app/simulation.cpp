@@ -25,11 +25,13 @@ double memory_of(const Scenario& scenario) {
 }
 
 std::string particles_in_words(const Scenario& scenario) {
+  if (const auto own = scenario.model->own_particles()) return fmt::format("{} bodies", *own);
   if (scenario.particles.count) return fmt::format("{} particles", *scenario.particles.count);
   return fmt::format("particles {} apart", *scenario.particles.spacing);
 }
 
 void refuse_operators_that_do_not_fit(const Scenario& scenario) {
+  if (!scenario.differential_operator.is_named()) return;
   const AnyOperator& made = *scenario.differential_operator.made;
   const std::string name = scenario.differential_operator.name();
   const NeighbourRule rule = made.neighbour_rule();
@@ -101,7 +103,7 @@ Simulation::Simulation(const Document& document, Scenario scenario, const Catalo
     if (exact_ != nullptr) bytes_needed_ += exact_->bytes_needed();
     refuse_what_does_not_fit();
   } catch (const InputError& error) {
-    throw LocatedError(document.locate(error.key()), error.what());
+    throw LocatedError(document.locate(error.key()), error.what(), error.key());
   }
 }
 
@@ -247,6 +249,8 @@ void Simulation::make_flow(const Catalogue& catalogue) {
 
 /// The probes, and the checks of what they and the model tell.
 void Simulation::make_observer() {
+  if (scenario_.output.errors && exact_ == nullptr)
+    throw InputError("output.errors", "there are no errors without an exact solution");
   Triple period{};
   for (const std::string& axis : scenario_.domain.periodic) {
     const auto d = static_cast<std::size_t>(axis.front() - 'x');
@@ -255,13 +259,16 @@ void Simulation::make_observer() {
   if (!scenario_.probes.empty()) observer_.emplace(scenario_.probes, period, *model_);
   std::vector<std::string> columns{"time", "step"};
   for (const Conserved& quantity : conserved_at_start_) columns.push_back(quantity.name);
-  for (const Reading& reading : observations()) columns.push_back(reading.name);
+  for (const Reading& reading : observations(0)) columns.push_back(reading.name);
   refuse_unknown_quantities(scenario_.check.history, columns);
 }
 
-std::vector<Reading> Simulation::observations() {
+std::vector<Reading> Simulation::observations(double time) {
   std::vector<Reading> readings = model_->readings();
   if (observer_) std::ranges::move(observer_->readings(*model_), std::back_inserter(readings));
+  if (scenario_.output.errors)
+    for (const ErrorNorms& error : errors_of(*this, time))
+      readings.push_back({error.field + "_error", error.in_norm(scenario_.check.norm)});
   return readings;
 }
 

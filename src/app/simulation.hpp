@@ -59,8 +59,8 @@ class Simulation {
   void start_afresh();
 
   bool has_probes() const { return observer_.has_value(); }
-  /// What history.csv tells beside the conserved quantities.
-  std::vector<Reading> observations();
+  /// What history.csv tells beside the conserved quantities of the state at this time.
+  std::vector<Reading> observations(double time);
 
   /// One step of the integrator, no longer than `step`, and what the model does around it. Returns
   /// its length. Throws NumericalFailure.
@@ -99,6 +99,9 @@ class Simulation {
   std::vector<Conserved> conserved_at_start_;
   std::vector<std::string> warnings_;
 };
+
+/// Errors of the state that the simulation is in, at this time, against its exact solution.
+std::vector<ErrorNorms> errors_of(const Simulation& simulation, double time);
 
 /// The certificate of the state that the simulation is in.
 Certificate certificate_of(const Simulation& simulation, const Moment& moment);

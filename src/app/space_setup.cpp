@@ -87,8 +87,9 @@ std::function<double(std::string_view, const Triple&)> initial_in_space(const Sc
 }
 
 /// The pair terms: on the operator's kernel and smoothing length if it has a kernel, else on
-/// Wendland's C2 with the operator's reach.
+/// Wendland's C2 with the operator's reach; none without an operator.
 void add_terms(const Scenario& scenario, const Catalogue& catalogue, SpaceSetup& setup) {
+  if (!scenario.differential_operator.is_named()) return;
   const NeighbourRule rule = scenario.differential_operator.made->neighbour_rule();
   const auto kernel = std::ranges::find(catalogue.kernels, scenario.differential_operator.member,
                                         &KernelEntry::name);
@@ -116,8 +117,8 @@ SpacePlan space_plan(const Scenario& scenario) {
   std::ranges::copy(domain.lower, plan.lower.begin());
   std::ranges::copy(domain.upper, plan.upper.begin());
   for (const std::string& axis : domain.periodic) plan.periodic[axis.front() - 'x'] = true;
-  plan.spacing = *scenario.particles.spacing;
-  if (!scenario.model->longest_side_of_walls())
+  plan.spacing = scenario.particles.spacing.value_or(0);
+  if (!scenario.model->longest_side_of_walls() && scenario.differential_operator.is_named())
     plan.reach = scenario.differential_operator.made->neighbour_rule().reach();
   for (const SideWallSection& wall : domain.walls) {
     const auto [axis, upper] = side_named(wall.side);

@@ -31,7 +31,7 @@ Words header(const CompareTable& table) {
       names.push_back(fmt::format("{}_{}", field, norm.name));
       names.push_back(fmt::format("{}_{}_order", field, norm.name));
     }
-  names.insert(names.end(), {"wall_seconds", "particle_updates_per_second"});
+  names.insert(names.end(), {"evaluations", "wall_seconds", "particle_updates_per_second"});
   for (const std::string& quantity : table.quantities()) names.push_back(quantity + "_drift");
   names.insert(names.end(), {"passed", "failure", "folder"});
   return names;
@@ -50,6 +50,7 @@ Words cells_of(const CompareTable& table, const Row& row) {
       cells.push_back(error != nullptr ? cell(error->*norm.value) : "");
       cells.push_back(cell(table.order(row, field, norm)));
     }
+  cells.push_back(row.run ? fmt::to_string(row.run->pair_work.evaluations) : "");
   cells.push_back(row.run ? cell(row.run->wall_seconds) : "");
   cells.push_back(row.run ? cell(row.updates_per_second) : "");
   for (const std::string& quantity : table.quantities()) cells.push_back(cell(row.drift(quantity)));

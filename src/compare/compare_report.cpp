@@ -31,6 +31,28 @@ std::string order_cell(std::optional<double> order) {
   return text == "-0.00" ? "0.00" : text;
 }
 
+/// Conserved quantities with the components of a vector as one: `momentum` of `momentum_x`, ...
+Words vectors_of(const Words& quantities) {
+  Words names;
+  for (const std::string& quantity : quantities) {
+    const bool is_component =
+        quantity.ends_with("_x") || quantity.ends_with("_y") || quantity.ends_with("_z");
+    const std::string name = quantity.substr(0, quantity.size() - (is_component ? 2 : 0));
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+/// The drift of a quantity, or the one of its components that is furthest from 0.
+std::optional<double> drift_of(const Row& row, const std::string& vector) {
+  std::optional<double> furthest;
+  for (const char* component : {"", "_x", "_y", "_z"})
+    if (const auto drift = row.drift(vector + component);
+        drift && !(furthest && std::abs(*drift) <= std::abs(*furthest)))
+      furthest = drift;
+  return furthest;
+}
+
 Words header(const CompareTable& table) {
   const Comparison& comparison = table.comparison();
   Words names;
@@ -39,8 +61,10 @@ Words header(const CompareTable& table) {
     names.push_back(field + " L2");
     if (comparison.refinement) names.emplace_back("order");
   }
+  if (table.counts_evaluations()) names.insert(names.end(), {"steps", "evaluations"});
   names.emplace_back("wall s");
-  for (const std::string& quantity : table.quantities()) names.push_back(quantity + " drift");
+  for (const std::string& quantity : vectors_of(table.quantities()))
+    names.push_back(quantity + " drift");
   names.emplace_back("verdict");
   return names;
 }
@@ -55,9 +79,13 @@ Words cells_of(const CompareTable& table, const Row& row) {
     cells.push_back(cell(error != nullptr ? std::optional(error->l2) : std::nullopt, "{:.2e}"));
     if (comparison.refinement) cells.push_back(order_cell(table.order(row, field, l2)));
   }
+  if (table.counts_evaluations()) {
+    cells.push_back(row.run ? fmt::to_string(row.run->steps) : no_value);
+    cells.push_back(row.run ? fmt::to_string(row.run->pair_work.evaluations) : no_value);
+  }
   cells.push_back(row.run ? cell(row.run->wall_seconds, "{:.2g}") : no_value);
-  for (const std::string& quantity : table.quantities())
-    cells.push_back(cell(row.drift(quantity), "{:.1e}"));
+  for (const std::string& quantity : vectors_of(table.quantities()))
+    cells.push_back(cell(drift_of(row, quantity), "{:.1e}"));
   return cells;
 }
 
@@ -145,7 +173,11 @@ std::string legend(const CompareTable& table) {
   if (const auto refined = table.comparison().refinement)
     text += fmt::format("An order is that from the next coarser `{}`. ",
                         table.comparison().vary[*refined].path);
-  return text + "A drift is the change of a conserved quantity relative to its size.\n";
+  if (table.counts_evaluations())
+    text += "Evaluations are the times that sums over pairs were formed. ";
+  return text +
+         "A drift is the change of a conserved quantity relative to its size, of a vector that of "
+         "the component that changes most.\n";
 }
 
 /// Characters on a terminal, not bytes.

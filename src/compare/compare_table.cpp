@@ -24,6 +24,7 @@ Certificate certificate_from(const Json& json) {
   certificate.time = number(json, "time");
   certificate.against = json.at("against");
   certificate.wall_seconds = number(json, "wall_seconds");
+  certificate.pair_work.evaluations = json.at("evaluations");
   for (const auto& [field, error] : json.at("errors").items())
     certificate.errors.push_back(
         {field, number(error, "l1"), number(error, "l2"), number(error, "max")});
@@ -101,6 +102,11 @@ std::vector<std::string> CompareTable::fields() const {
 
 std::vector<std::string> CompareTable::quantities() const {
   return names_in(rows_, &Certificate::conservation, &Drift::quantity);
+}
+
+bool CompareTable::counts_evaluations() const {
+  return std::ranges::any_of(
+      rows_, [](const Row& row) { return row.run && row.run->pair_work.evaluations > 0; });
 }
 
 const Row* CompareTable::coarser(const Row& row) const {

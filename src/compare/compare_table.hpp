@@ -55,6 +55,8 @@ class CompareTable {
   /// The fields that any of the rows has errors in, and the conserved quantities.
   std::vector<std::string> fields() const;
   std::vector<std::string> quantities() const;
+  /// Whether any of the runs counted how often it formed sums over pairs.
+  bool counts_evaluations() const;
 
   /// The order in which an error falls to this row from the one before it along the key of
   /// refinement; nothing without one, or where one of the two has no error above 0.
@@ -69,8 +71,8 @@ class CompareTable {
 };
 
 /// compare.csv: the varied keys, time, particles, steps, FIELD_NORM and FIELD_NORM_order for every
-/// field and norm, wall_seconds, particle_updates_per_second, QUANTITY_drift, passed, failure,
-/// folder. 17 digits; a cell without a value is empty.
+/// field and norm, evaluations, wall_seconds, particle_updates_per_second, QUANTITY_drift, passed,
+/// failure, folder. 17 digits; a cell without a value is empty.
 std::string compare_csv(const CompareTable& table);
 
 }  // namespace mote

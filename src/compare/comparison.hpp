@@ -14,7 +14,10 @@ struct Member {
   std::vector<std::string> values;  ///< of the varied keys in their order, as YAML in one line
   std::string folder;               ///< below that of the comparison, as in `runs/02-mps-41`
   double spacing = 0;               ///< what falls along the key of refinement, if there is one
+  std::string unsuited;  ///< why its integrator cannot be the one of this scenario; else empty
   std::vector<std::string> fields;  ///< those that the run is compared in with an exact solution
+
+  bool suits() const { return unsuited.empty(); }
 };
 
 /// The runs of a scenario under all combinations of the values of some of its keys.

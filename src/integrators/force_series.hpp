@@ -16,6 +16,10 @@ class ForceSeries {
   /// each it wants, by the sizes of the spans.
   virtual void expand(std::span<const Eigen::VectorXd> path, std::span<Eigen::VectorXd> force,
                       std::span<Eigen::MatrixXd> derivative) = 0;
+
+  /// How much the equation of each place counts where errors of all are squared and added, > 0.
+  /// With the masses, total momentum stays out of the forces' errors.
+  virtual Eigen::VectorXd weights() const = 0;
 };
 
 }  // namespace mote

@@ -20,6 +20,8 @@ class KeptValues {
     }
   }
 
+  std::span<const double> values(std::size_t part) const { return values_[part]; }
+
   void restore(std::span<const Evolving> parts) const {
     for (std::size_t part = 0; part < parts.size(); ++part) copy(values_[part], parts[part].value);
   }

@@ -27,15 +27,6 @@ MassList<D> all_bodies(const BodiesOptions& options) {
   return bodies;
 }
 
-/// What a scenario calls the body, first the mass given by itself: a key, and words.
-std::pair<std::string, std::string> origin_of(const BodiesOptions& options, std::size_t body) {
-  if (body < options.masses.size())
-    return {fmt::format("model.masses.{}.position", body), fmt::format("mass {}", body + 1)};
-  std::size_t end = options.masses.size(), k = 0;
-  while (body >= (end += static_cast<std::size_t>(options.clusters[k].count))) ++k;
-  return {fmt::format("model.clusters.{}", k), fmt::format("a body of cluster {}", k + 1)};
-}
-
 template <int D>
 void refuse_two_on_one_place(const BodiesOptions& options, const MassList<D>& bodies) {
   std::vector<std::size_t> order(bodies.count());
@@ -47,9 +38,16 @@ void refuse_two_on_one_place(const BodiesOptions& options, const MassList<D>& bo
   const auto same = std::ranges::adjacent_find(
       order, [&](std::size_t a, std::size_t b) { return std::ranges::equal(place(a), place(b)); });
   if (same == order.end()) return;
-  const auto [key, words] = origin_of(options, *std::next(same));
+  const std::size_t second = *std::next(same);
   throw InputError(
-      key, fmt::format("{} and {} stand on one place", origin_of(options, *same).second, words));
+      options.key_of(second),
+      fmt::format("{} and {} stand on one place", options.name_of(*same), options.name_of(second)));
+}
+
+std::vector<std::optional<double>> radii_of(const BodiesOptions& options) {
+  std::vector<std::optional<double>> radii;
+  for (const PointMass& body : options.masses) radii.push_back(body.radius);
+  return radii;
 }
 
 void refuse_a_box(const SpaceStart& start) {
@@ -67,8 +65,8 @@ Bodies<D>::Bodies(const BodiesOptions& options, SpaceSetup setup)
       start_(std::move(setup)),
       cloud_(D, 0),
       gravity_(std::make_unique<OwnGravity<D>>(
-          options.gravitational_constant,
-          SumChoice{options.sum, options.tolerance, options.core})) {
+          options.gravitational_constant, SumChoice{options.sum, options.tolerance, options.core})),
+      collisions_(radii_of(options)) {
   refuse_a_box(start_);
   start_.bodies = {Body{.name = "bodies"}};
   cloud_.add("velocity", FieldKind::vector, "m/s");
@@ -76,7 +74,9 @@ Bodies<D>::Bodies(const BodiesOptions& options, SpaceSetup setup)
   cloud_.add("mass", FieldKind::scalar, "kg");
   cloud_.add("potential", FieldKind::scalar, "m²/s²");
   cloud_.add("body", FieldKind::scalar, "");
+  if (collisions_.exist()) cloud_.add("collisions", FieldKind::scalar, "");
   add(options);
+  refuse_contact();
   complete_fields();
 }
 
@@ -89,7 +89,6 @@ void Bodies<D>::add(const BodiesOptions& options) {
   std::ranges::copy(bodies.position, position_.begin());
   std::ranges::copy(bodies.velocity, velocity_.begin());
   std::ranges::copy(bodies.mass, mass_.begin());
-  update_dependent_fields();
 }
 
 template <int D>
@@ -99,25 +98,56 @@ void Bodies<D>::bind() {
   acceleration_ = cloud_.values("acceleration");
   mass_ = cloud_.values("mass");
   potential_ = cloud_.values("potential");
+  if (collisions_.exist()) met_ = cloud_.values("collisions");
   drifted_ = {{position_, velocity_}};
   kicked_ = {{velocity_, acceleration_}};
+  if (point_masses())
+    series_ = std::make_unique<GravitySeries<D>>(options_.gravitational_constant, mass_);
 }
 
-/// Accelerations follow from places alone, and are not summed twice for the same ones.
 template <int D>
-void Bodies<D>::update_kick_rates(double /*time*/) {
+void Bodies<D>::refuse_contact() const {
+  const auto pair = collisions_.contact(position_);
+  if (!pair) return;
+  const auto [first, second] = *pair;
+  throw InputError(options_.key_of(second),
+                   fmt::format("{} and {} are in contact at the start", options_.name_of(first),
+                               options_.name_of(second)));
+}
+
+template <int D>
+void Bodies<D>::begin_step(double /*time*/, double /*step*/) {
+  if (collisions_.exist()) collisions_.begin_step({position_, velocity_});
+}
+
+template <int D>
+void Bodies<D>::end_step(double time, double step) {
+  if (!collisions_.exist()) return;
+  for (const Collision& collision : collisions_.end_step(time, step, {position_, velocity_})) {
+    for (const std::size_t body : {collision.first, collision.second}) ++met_[body];
+    if (first_collisions_.size() < told_collisions) first_collisions_.push_back(collision);
+  }
+}
+
+template <int D>
+std::optional<PointMasses> Bodies<D>::point_masses() const {
+  if (options_.core != "point") return std::nullopt;
+  return PointMasses{options_.gravitational_constant, mass_};
+}
+
+/// Accelerations follow from places alone. They are formed where they are wanted, and not twice for
+/// the same places.
+template <int D>
+void Bodies<D>::form_accelerations() const {
   if (std::ranges::equal(accelerated_at_, position_)) return;
   gravity_->accelerate(sources(), acceleration_);
+  ++evaluations_;
   accelerated_at_.assign(position_.begin(), position_.end());
 }
 
 template <int D>
-void Bodies<D>::update_dependent_fields() {
-  update_kick_rates(0);
-}
-
-template <int D>
 void Bodies<D>::complete_fields() {
+  form_accelerations();
   gravity_->find_potential(sources(), potential_);
 }
 
@@ -126,8 +156,9 @@ void Bodies<D>::inspect() const {
   for (Index i = 0; i < cloud_.count(); ++i)
     if (!at(position_, i).allFinite() || !at(velocity_, i).allFinite())
       throw NumericalFailure(
-          fmt::format("body {} has a place or a velocity that is not finite", i), {i},
-          "two point masses came too close for the step; softening spreads them");
+          fmt::format("{} has a place or a velocity that is not finite",
+                      options_.name_of(static_cast<std::size_t>(i))),
+          {i}, "two point masses came too close for the step; softening spreads them");
 }
 
 template <int D>
@@ -139,8 +170,8 @@ void Bodies<D>::restore(const Cloud& state) {
 /// A part of the time sqrt(l/a) in which a body at the acceleration a goes the length l: that of
 /// the softening, or the distance at which the heaviest body makes it so large.
 template <int D>
-double Bodies<D>::longest_step(double time, double courant) {
-  update_kick_rates(time);
+double Bodies<D>::longest_step(double /*time*/, double courant) {
+  form_accelerations();
   const double pull = options_.gravitational_constant * std::ranges::max(mass_);
   double longest = std::numeric_limits<double>::infinity();
   for (Index i = 0; i < cloud_.count(); ++i) {

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <set>
+
 #include "mote/models/bodies.hpp"
 #include "mote/models/chosen_sum.hpp"
 #include "mote/particles/failure.hpp"
@@ -10,9 +13,15 @@ namespace mote {
 namespace {
 
 void describe_mass(Description& d, PointMass& body) {
-  d.number({"mass", "of the body", true}, body.mass, positive);
+  d.number(
+      {"mass", "of the body; 0: a test particle, which feels the others and does not pull", true},
+      body.mass, not_negative);
   d.numbers({"position", "one number a dimension", true}, body.position);
   d.numbers({"velocity", "one number a dimension; default: at rest"}, body.velocity);
+  d.text({"name", "in reports; default: its number"}, body.name);
+  d.number({"radius",
+            "of a ball; two of these collide where they touch: that is reported, and they go on"},
+           body.radius, not_negative);
 }
 
 void check_vector(const std::string& key, const std::vector<double>& numbers, int dimension) {
@@ -54,10 +63,24 @@ void BodiesOptions::describe(Description& d) {
 void BodiesOptions::check(int dimension) const {
   if (masses.empty() && clusters.empty())
     throw InputError("model", "there is no body: give 'masses' or 'clusters'");
+  check_masses(dimension);
+  check_clusters(dimension);
+}
+
+void BodiesOptions::check_masses(int dimension) const {
+  std::set<std::string> names;
   for (std::size_t k = 0; k < masses.size(); ++k) {
     check_vector(fmt::format("masses.{}.position", k), masses[k].position, dimension);
     check_optional_vector(fmt::format("masses.{}.velocity", k), masses[k].velocity, dimension);
+    if (!masses[k].name.empty() && !names.insert(masses[k].name).second)
+      throw InputError(fmt::format("model.masses.{}.name", k),
+                       fmt::format("there are two masses with the name '{}'", masses[k].name));
   }
+  if (clusters.empty() && std::ranges::none_of(masses, [](auto& body) { return body.mass > 0; }))
+    throw InputError("model.masses", "no body has a mass above 0");
+}
+
+void BodiesOptions::check_clusters(int dimension) const {
   for (std::size_t k = 0; k < clusters.size(); ++k) {
     const std::string key = fmt::format("clusters.{}.", k);
     check_optional_vector(key + "centre", clusters[k].centre, dimension);
@@ -66,6 +89,22 @@ void BodiesOptions::check(int dimension) const {
       throw InputError("model." + key + "type",
                        "the sphere 'plummer' has 3 dimensions, this scenario has 2");
   }
+}
+
+std::size_t BodiesOptions::cluster_of(std::size_t body) const {
+  std::size_t end = masses.size(), k = 0;
+  while (body >= (end += static_cast<std::size_t>(clusters[k].count))) ++k;
+  return k;
+}
+
+std::string BodiesOptions::key_of(std::size_t body) const {
+  if (body < masses.size()) return fmt::format("model.masses.{}.position", body);
+  return fmt::format("model.clusters.{}", cluster_of(body));
+}
+
+std::string BodiesOptions::name_of(std::size_t body) const {
+  if (body >= masses.size()) return fmt::format("a body of cluster {}", cluster_of(body) + 1);
+  return masses[body].name.empty() ? fmt::format("mass {}", body + 1) : masses[body].name;
 }
 
 std::optional<double> BodiesRecipe::own_particles() const {

@@ -15,6 +15,8 @@ namespace mote {
 struct PointMass {
   double mass = 1;
   std::vector<double> position, velocity;  ///< no velocity: it is at rest
+  std::string name = {};
+  std::optional<double> radius = {};  ///< of a ball that collides with others
 };
 
 /// Options of bodies under their own gravity; see `describe` for their meaning.
@@ -33,6 +35,15 @@ struct BodiesOptions {
   void describe(Description& description);
   /// Throws InputError unless there are bodies, of so many dimensions.
   void check(int dimension) const;
+
+  /// What a scenario calls a body, first the masses given by themselves: its key, and words.
+  std::string key_of(std::size_t body) const;
+  std::string name_of(std::size_t body) const;
+
+ private:
+  void check_masses(int dimension) const;
+  void check_clusters(int dimension) const;
+  std::size_t cluster_of(std::size_t body) const;
 };
 
 /// `type: bodies` in a scenario.
@@ -46,6 +57,8 @@ class BodiesRecipe final : public ModelRecipe {
 
   bool lives_on_a_line() const override { return false; }
   bool step_suffices() const override { return true; }
+  bool needs_operator() const override { return false; }
+  bool needs_domain() const override { return false; }
   std::optional<double> own_particles() const override;
   void describe(Description& description) override { options.describe(description); }
   std::vector<InitialField> initial_fields(int /*dimension*/) const override { return {}; }

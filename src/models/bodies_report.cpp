@@ -1,6 +1,10 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "mote/models/bodies.hpp"
 #include "mote/models/fixed_sum.hpp"
@@ -8,6 +12,9 @@
 
 namespace mote {
 namespace {
+
+/// Bodies up to which the distances of all pairs cost next to nothing.
+constexpr Index few = 100;
 
 /// What a place and a velocity turn by: x cross v. One number in the plane.
 Triple turn_of(const Vec<2>& x, const Vec<2>& v) { return {x[0] * v[1] - x[1] * v[0]}; }
@@ -55,6 +62,7 @@ std::vector<Conserved> Bodies<D>::conserved() const {
 /// mass: 1 on average in time for what stays together, in 2D as in 3D, softened or not.
 template <int D>
 double Bodies<D>::virial_ratio() const {
+  form_accelerations();
   const Vec<D> centre = weighted_mean(position_), drift = weighted_mean(velocity_);
   const auto sum = [&](auto term) {
     return fixed_sum(cloud_.count(), 0.0,
@@ -67,6 +75,54 @@ double Bodies<D>::virial_ratio() const {
 }
 
 template <int D>
+double Bodies<D>::least_separation() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (Index i = 0; i < cloud_.count(); ++i)
+    for (Index j = 0; j < i; ++j)
+      least = std::min(least, (at(position_, i) - at(position_, j)).norm());
+  return least;
+}
+
+template <int D>
+std::int64_t Bodies<D>::collisions() const {
+  return std::llround(std::accumulate(met_.begin(), met_.end(), 0.0) / 2);
+}
+
+template <int D>
+std::string Bodies<D>::collisions_in_words() const {
+  const auto words = [&](const Collision& collision) {
+    return fmt::format("{} and {} at t = {:.9g} with the relative speed {:.6g}",
+                       options_.name_of(collision.first), options_.name_of(collision.second),
+                       collision.time, collision.speed);
+  };
+  std::vector<std::string> told;
+  for (const Collision& collision : first_collisions_) told.push_back(words(collision));
+  const std::int64_t count = collisions();
+  return fmt::format("{} collision{}{}{}", count, count == 1 ? "" : "s",
+                     told.empty()                                     ? ""
+                     : count > static_cast<std::int64_t>(told.size()) ? ", among them: "
+                                                                      : ": ",
+                     fmt::join(told, ", "));
+}
+
+template <int D>
+std::vector<std::string> Bodies<D>::warnings() const {
+  if (collisions() == 0) return {};
+  return {collisions_in_words() +
+          ". The bodies went through each other: nothing merges or bounces"};
+}
+
+template <int D>
+PairWork Bodies<D>::pair_work() const {
+  PairWork work{.evaluations = evaluations_ + (series_ ? series_->expansions() : 0)};
+  if (!gravity_->sums_pair_by_pair(mass_.size())) return work;
+  const std::int64_t others = cloud_.count() - 1;
+  work.pairs = work.evaluations * cloud_.count() * others;
+  work.mean_neighbours = static_cast<double>(others);
+  return work;
+}
+
+template <int D>
 std::vector<Reading> Bodies<D>::readings() const {
   if (cloud_.count() < 2) return {};
   const double kinetic =
@@ -75,10 +131,12 @@ std::vector<Reading> Bodies<D>::readings() const {
       });
   std::vector<Reading> readings{{"kinetic_energy", kinetic}};
   if (options_.gravitational_constant > 0) readings.push_back({"virial_ratio", virial_ratio()});
+  if (collisions_.exist()) readings.push_back({"collisions", static_cast<double>(collisions())});
   if (cloud_.count() == 2) {
     readings.push_back({"separation", (at(position_, 1) - at(position_, 0)).norm()});
     return readings;
   }
+  if (cloud_.count() <= few) readings.push_back({"least_separation", least_separation()});
   const Vec<D> centre = weighted_mean(position_);
   std::vector<double> distance;
   for (Index i = 0; i < cloud_.count(); ++i) distance.push_back((at(position_, i) - centre).norm());
@@ -99,15 +157,21 @@ std::vector<std::string> Bodies<D>::remarks() const {
       options_.core == "point"
           ? "points"
           : fmt::format("spread by '{}' of size {:.6g}", options_.core, options_.core_size);
-  return {
-      fmt::format("{} bodies, {}, under gravity that was summed {}.", cloud_.count(), form, sums),
-      "Space has no bounds: the domain only says where the bodies are expected."};
+  std::vector<std::string> remarks{
+      fmt::format("{} bodies, {}, under gravity that was summed {}.", cloud_.count(), form, sums)};
+  if (start_.lower != start_.upper)
+    remarks.emplace_back(
+        "Space has no bounds: the domain only says where the bodies are expected.");
+  if (collisions_.exist() && collisions() == 0)
+    remarks.emplace_back("No bodies with a radius collided, within steps or at their ends.");
+  return remarks;
 }
 
 template <int D>
 Parameters Bodies<D>::parameters() const {
   Parameters parameters{{"gravitational_constant", options_.gravitational_constant},
                         {"bodies", static_cast<double>(cloud_.count())},
+                        {"core_size", options_.core_size},
                         {"single_masses", static_cast<double>(options_.masses.size())},
                         {"clusters", static_cast<double>(options_.clusters.size())}};
   for (std::size_t k = 0; k < options_.clusters.size(); ++k) {

@@ -163,6 +163,10 @@ class ModelRecipe {
   /// Whether `time.step` alone can say how long steps are, so that without a Courant number the
   /// state does not shorten them.
   virtual bool step_suffices() const { return false; }
+  /// Whether derivatives are formed, for which a scenario must name an operator.
+  virtual bool needs_operator() const { return true; }
+  /// Whether particles fill a domain at a spacing, which a scenario then must give.
+  virtual bool needs_domain() const { return true; }
   /// Whether its particles have what operators that need circulation need.
   virtual bool has_circulation() const { return false; }
   /// How long the sides of an outline of a wall may be where that is what the model needs, and not

@@ -1,5 +1,6 @@
 #include "mote/models/own_gravity.hpp"
 
+#include "mote/models/few_bodies.hpp"
 #include "mote/models/fixed_sum.hpp"
 
 namespace mote {
@@ -11,10 +12,16 @@ constexpr std::size_t few = 6000;
 
 template <int D>
 OwnGravity<D>::OwnGravity(double gravitational_constant, const SumChoice& choice)
-    : gravitational_constant_(gravitational_constant), sums_(choice, few) {}
+    : gravitational_constant_(gravitational_constant),
+      are_points_(choice.core == "point"),
+      sums_(choice, few) {}
 
 template <int D>
 void OwnGravity<D>::accelerate(const Sources<D>& bodies, std::span<double> acceleration) {
+  const std::size_t count = bodies.strength.size();
+  if (are_points_ && count <= few_bodies::most && sums_.is_direct(count))
+    return few_bodies::accelerate<D>(gravitational_constant_, bodies.strength, bodies.position,
+                                     acceleration);
   sum_for(bodies).at_sources(bodies, {{}, acceleration});
   for (double& component : acceleration) component *= -gravitational_constant_;
 }

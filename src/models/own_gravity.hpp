@@ -28,6 +28,7 @@ class OwnGravity {
   Gravity<D>& sum_for(const Sources<D>& bodies) { return sums_.of(bodies.strength.size()); }
 
   double gravitational_constant_;
+  bool are_points_;
   ChosenSum<Gravity<D>> sums_;
   std::vector<double> potential_;  ///< work
 };

@@ -23,7 +23,7 @@ struct SpaceStart {
   int dimension = 2;
   Triple lower{}, upper{};         ///< corners of the domain; fluid beyond them has left it
   std::array<bool, 3> periodic{};  ///< whether what leaves on one side comes in on the other
-  double spacing = 1;              ///< between particles; each has the volume spacing^dimension
+  double spacing = 1;  ///< between particles; each has the volume spacing^dimension; 0: not given
   std::vector<Body> bodies;
   std::vector<double> position;    ///< `dimension` numbers a particle: all fluids, then all walls
   std::vector<std::int32_t> body;  ///< of every particle: its number among `bodies`
@@ -38,8 +38,8 @@ struct SpaceStart {
 
 /// What a model in space is made from.
 struct SpaceSetup : SpaceStart {
-  std::unique_ptr<AnyOperator> differential_operator;
-  std::unique_ptr<AnyFluidTerms> terms;  ///< pair terms on the scenario's kernel
+  std::unique_ptr<AnyOperator> differential_operator;  ///< null if the model needs none
+  std::unique_ptr<AnyFluidTerms> terms;  ///< pair terms on the scenario's kernel; null without one
   double smoothing_length = 1;           ///< of those terms, in spacings
   std::string search;                    ///< name of the neighbour search; empty: the model chooses
   std::optional<double> skin;  ///< how much further than the operator lists reach, relative

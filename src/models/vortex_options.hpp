@@ -79,6 +79,7 @@ class VortexRecipe final : public ModelRecipe {
 
   bool lives_on_a_line() const override { return false; }
   bool step_suffices() const override { return true; }
+  bool needs_operator() const override { return options.diffusion == Diffusion::sph; }
   bool has_circulation() const override { return true; }
   std::optional<double> longest_side_of_walls() const override { return options.panel_length; }
   void describe(Description& description) override { options.describe(description); }

@@ -78,6 +78,7 @@ std::string summary_json(const Certificate& c) {
                {"particle_updates_per_second",
                 rate(static_cast<double>(c.particles) * static_cast<double>(c.steps_timed))},
                {"pairs_per_second", rate(static_cast<double>(c.pair_work.pairs))},
+               {"evaluations", c.pair_work.evaluations},
                {"mean_neighbours", c.pair_work.mean_neighbours},
                {"against", c.against},
                {"errors", Json::object()},

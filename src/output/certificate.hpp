@@ -18,6 +18,11 @@ struct ErrorNorms {
   std::string field;
   double l1 = 0, l2 = 0, max = 0;
   std::int64_t compared = 0;  ///< points at which the reference has a value
+
+  /// The one in the norm `l1`, `l2` or `max`.
+  double in_norm(const std::string& norm) const {
+    return norm == "l1" ? l1 : norm == "l2" ? l2 : max;
+  }
 };
 
 /// Compares values with a reference; points where the reference is NaN are left out and counted.

@@ -52,9 +52,11 @@ void add_cost(Out out, const Certificate& c) {
                                     : 0.0);
   if (c.bytes_per_particle > 0)
     fmt::format_to(out, "At most {:.0f} bytes of memory a particle.\n", c.bytes_per_particle);
-  if (c.pair_work.evaluations > 0)
+  if (c.pair_work.mean_neighbours > 0)
     fmt::format_to(out, "{:.1f} neighbours a particle, gone through {} times.\n",
                    c.pair_work.mean_neighbours, c.pair_work.evaluations);
+  else if (c.pair_work.evaluations > 0)
+    fmt::format_to(out, "Sums over all were formed {} times.\n", c.pair_work.evaluations);
 }
 
 }  // namespace

@@ -46,7 +46,8 @@ class Check {
              fmt::format("the model {} lives in space: dimension must be 2 or 3, and is 1",
                          scenario_.model_type));
     refuse_strangers(keys_on_a_line, "on a line", "in space");
-    require("particles", "spacing");
+    if (scenario_.model->needs_domain() || !scenario_.probes.empty())
+      require("particles", "spacing");
     check_particles();
     check_sides();
     check_names();

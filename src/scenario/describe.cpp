@@ -12,9 +12,21 @@ constexpr Word<LineEnds> boundaries[] = {
     {LineEnds::held, "held", "the same, and the end particles keep what they start with, (89)"},
     {LineEnds::wall, "wall", "the gas in a mirror: nothing passes"}};
 
-void describe_domain(Description& d, Scenario::Domain& domain) {
-  d.numbers({"lower", "lower corner, one number a dimension", true}, domain.lower);
-  d.numbers({"upper", "upper corner, one number a dimension", true}, domain.upper);
+/// Whether all files must have a section, and whether such a section must have its keys: a model
+/// may do without the section, and then its file may leave it out.
+struct Need {
+  bool section, keys;
+};
+
+Need need(const Description& d, const Scenario& scenario, bool (ModelRecipe::*needs)() const) {
+  if (d.wants_all_variants()) return {false, true};
+  const bool needed = !scenario.model || (scenario.model.get()->*needs)();
+  return {needed, needed};
+}
+
+void describe_domain(Description& d, Scenario::Domain& domain, bool required) {
+  d.numbers({"lower", "lower corner, one number a dimension", required}, domain.lower);
+  d.numbers({"upper", "upper corner, one number a dimension", required}, domain.upper);
   describe_words(d, {"boundary", "on a line: what lies beyond the ends; default: zero_gradient"},
                  domain.boundary, boundaries);
   d.count(
@@ -133,6 +145,10 @@ void describe_output(Description& d, Scenario::Output& output) {
            positive);
   d.count({"history", "steps between rows of history.csv; 0: ten rows a snapshot"}, output.history,
           not_negative);
+  d.flag({"errors",
+          "whether rows of history.csv tell FIELD_error too, against the exact solution "
+          "in the norm of the check"},
+         output.errors);
   d.flag({"picture", "whether to draw a picture at the end"}, output.picture);
 }
 
@@ -196,20 +212,23 @@ void describe(Description& d, Scenario& scenario, const Catalogue& catalogue) {
   d.choice({"units", "what the numbers mean"}, scenario.units,
            {{"none", "the user's own units"}, {"SI", "metres, kilograms, seconds"}});
   d.constants({"constants", "numbers that all expressions may name"}, scenario.constants);
-  d.section({"domain", "where the particles are", true},
-            [&] { describe_domain(d, scenario.domain); });
-  d.section({"particles", "how many, and how they lie", true},
-            [&] { describe_particles(d, scenario.particles, catalogue); });
-  describe_regions(d, scenario.regions);
   d.section({"model", "equations of motion", true},
             [&] { describe_model(d, scenario, catalogue); });
+  const Need domain = need(d, scenario, &ModelRecipe::needs_domain);
+  d.section({"domain", "where the particles are", domain.section},
+            [&] { describe_domain(d, scenario.domain, domain.keys); });
+  d.section({"particles", "how many, and how they lie", domain.section},
+            [&] { describe_particles(d, scenario.particles, catalogue); });
+  describe_regions(d, scenario.regions);
   const std::vector<InitialField> fields = initial_fields(d, scenario, catalogue);
   const bool has_required =
       std::ranges::any_of(fields, [&](const auto& field) { return is_required(d, field); });
   d.section({"initial", "state at the start, as expressions", has_required},
             [&] { describe_initial(d, scenario, fields); });
-  d.section({"operator", "how derivatives are formed", true}, [&] {
-    describe_operator(d, scenario.differential_operator, catalogue, scenario.dimension);
+  const Need derivatives = need(d, scenario, &ModelRecipe::needs_operator);
+  d.section({"operator", "how derivatives are formed", derivatives.section}, [&] {
+    describe_operator(d, scenario.differential_operator, catalogue, scenario.dimension,
+                      derivatives.keys);
   });
   d.section({"neighbours", "how neighbours are found"},
             [&] { describe_neighbours(d, scenario.neighbours); });

@@ -17,9 +17,11 @@ void describe_one(Description& d, HistoryCheck& check) {
   d.number({"value", "that it must have"}, check.value);
   d.number({"most", "that it may be"}, check.most);
   d.number({"least", "that it must be"}, check.least);
+  d.flag({"throughout", "whether 'most' and 'least' are meant for all rows, not for one time"},
+         check.throughout);
   d.expression({"formula", "in t, that all rows must follow"}, check.formula);
-  d.number({"from", "time from which they must; default: the first row"}, check.from, not_negative);
-  d.number({"until", "time until which they must; default: the last row"}, check.until,
+  d.number({"from", "time from which rows must; default: the first row"}, check.from, not_negative);
+  d.number({"until", "time until which rows must; default: the last row"}, check.until,
            not_negative);
   d.number({"decay_rate", "r of exp(-r t), by which it must fall from the first row to the last"},
            check.decay_rate);
@@ -47,8 +49,10 @@ std::string problem_of(const HistoryCheck& check) {
   if (!check.has_bounds() && !check.error) return "this check needs the largest relative 'error'";
   if (check.at && !check.value && !check.has_bounds())
     return "'at' has a meaning for a value, and for 'most' and 'least' alone";
-  if ((check.from || check.until) && check.formula.empty())
-    return "'from' and 'until' have a meaning for a formula alone";
+  if (check.throughout && (!check.has_bounds() || check.at))
+    return "'throughout' has a meaning for 'most' and 'least' without 'at' alone";
+  if ((check.from || check.until) && check.formula.empty() && !check.throughout)
+    return "'from' and 'until' have a meaning for a formula, and with 'throughout', alone";
   if (check.from && check.until && *check.from > *check.until)
     return fmt::format("rows from {} until {} are none", *check.from, *check.until);
   if (check.value == 0.0) return "nothing is relative to 0: give 'most' and 'least' in place of it";

@@ -16,9 +16,10 @@ struct HistoryCheck {
   std::string quantity;      ///< the column
   std::optional<double> at;  ///< time at which a value or a bound is meant; none: at the end
   std::optional<double> value, most, least, decay_rate;
+  bool throughout = false;  ///< whether bounds hold in every row, and not at one time
   std::string formula;
-  std::optional<double> from, until;  ///< where rows must follow the formula; none: from the first,
-                                      ///< until the last
+  std::optional<double> from, until;  ///< where rows must follow the formula or keep the bounds;
+                                      ///< none: from the first, until the last
   /// The curve: columns x and y of a CSV file, or numbers. Numbers come first: with them the file
   /// is where they are from, which is how run.yaml has it.
   std::string file, x, y;

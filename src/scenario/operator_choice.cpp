@@ -32,7 +32,7 @@ std::string distinction_of(const Catalogue& catalogue, const std::string& family
 }  // namespace
 
 void describe_operator(Description& d, OperatorChoice& choice, const Catalogue& catalogue,
-                       std::int64_t dimension) {
+                       std::int64_t dimension, bool required) {
   const auto describe_member = [&](const std::string& family, const std::string& member) {
     if (!choice.made || choice.family != family || choice.member != member)
       choice.made = catalogue.make_operator(family, member, std::max<std::int64_t>(1, dimension));
@@ -40,8 +40,9 @@ void describe_operator(Description& d, OperatorChoice& choice, const Catalogue& 
     choice.member = member;
     if (choice.made) choice.made->describe(d);
   };
-  d.variant({"family", "what the weights of neighbours come from", true}, choice.family,
+  d.variant({"family", "what the weights of neighbours come from", required}, choice.family,
             families(catalogue), [&](const std::string& family) {
+              if (family.empty()) return;
               const std::string key = distinction_of(catalogue, family);
               if (key.empty()) return describe_member(family, "");
               d.variant({key, "which of the family", true}, choice.member,

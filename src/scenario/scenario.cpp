@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <tuple>
 
 #include "mote/scenario/check_space.hpp"
 #include "mote/scenario/folder_name.hpp"
@@ -17,6 +18,33 @@
 namespace mote {
 namespace {
 
+/// The corners of the domain, which a file may leave out if the model has no need of it.
+void check_domain(const Scenario& scenario, const Document& document) {
+  const auto refuse = [&](const std::string& key, const std::string& message) {
+    throw LocatedError(document.locate(key), message);
+  };
+  const auto& [lower, upper] = std::tie(scenario.domain.lower, scenario.domain.upper);
+  if (!scenario.model->needs_domain() && lower.empty() && upper.empty()) {
+    if (!scenario.probes.empty()) refuse("probes", "probes need a 'domain' to lie in");
+    return;
+  }
+  const auto dimension = static_cast<std::size_t>(scenario.dimension);
+  for (const char* corner : {"lower", "upper"}) {
+    const auto& values = corner[0] == 'l' ? lower : upper;
+    if (values.size() != dimension)
+      refuse(std::string("domain.") + corner,
+             fmt::format("'{}' needs {} number{}, one a dimension, and has {}", corner, dimension,
+                         dimension == 1 ? "" : "s", values.size()));
+  }
+  for (std::size_t d = 0; d < dimension; ++d)
+    if (!(upper[d] > lower[d]))
+      refuse("domain.upper",
+             fmt::format("the upper corner {} must lie above the lower {}", upper[d], lower[d]));
+  for (std::size_t d = 0; d < dimension; ++d)
+    if (!std::isfinite(upper[d] - lower[d]))
+      refuse("domain.upper", "the domain from lower to upper is wider than numbers can tell");
+}
+
 /// Rules that no single key can state.
 void check_together(const Scenario& scenario, const Document& document) {
   const auto refuse = [&](const std::string& key, const std::string& message) {
@@ -25,21 +53,8 @@ void check_together(const Scenario& scenario, const Document& document) {
   const std::string problem = folder_name_problem(scenario.name);
   if (!problem.empty()) refuse("name", problem);
   const auto dimension = static_cast<std::size_t>(scenario.dimension);
-  for (const char* corner : {"lower", "upper"}) {
-    const auto& values = corner[0] == 'l' ? scenario.domain.lower : scenario.domain.upper;
-    if (values.size() != dimension)
-      refuse(std::string("domain.") + corner,
-             fmt::format("'{}' needs {} number{}, one a dimension, and has {}", corner, dimension,
-                         dimension == 1 ? "" : "s", values.size()));
-  }
-  for (std::size_t d = 0; d < dimension; ++d)
-    if (!(scenario.domain.upper[d] > scenario.domain.lower[d]))
-      refuse("domain.upper", fmt::format("the upper corner {} must lie above the lower {}",
-                                         scenario.domain.upper[d], scenario.domain.lower[d]));
-  for (std::size_t d = 0; d < dimension; ++d)
-    if (!std::isfinite(scenario.domain.upper[d] - scenario.domain.lower[d]))
-      refuse("domain.upper", "the domain from lower to upper is wider than numbers can tell");
-  if (!scenario.differential_operator.made)
+  check_domain(scenario, document);
+  if (scenario.differential_operator.is_named() && !scenario.differential_operator.made)
     refuse("operator", fmt::format("the operator {} does not exist in {} dimensions",
                                    scenario.differential_operator.name(), scenario.dimension));
   if (!scenario.probes.empty() && scenario.model->lives_on_a_line())

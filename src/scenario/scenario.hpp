@@ -65,6 +65,7 @@ struct Scenario {
   struct Output {
     std::optional<double> every;  ///< time between snapshots
     std::int64_t history = 0;     ///< steps between rows of history.csv
+    bool errors = false;          ///< whether they tell the errors against the exact solution
     bool picture = true;
   } output;
 

@@ -29,14 +29,33 @@ std::string softened(const std::string& section) {
   return bodies({{8, "  softening: " + section}});
 }
 
+/// The first of so many of the good bodies and another one, against Kepler's orbits.
+std::string against_kepler(const std::string& other, int good = 2) {
+  const std::string first = "{mass: 1, position: [-1, 0, 0]}, ";
+  const std::string second = good == 2 ? "{mass: 1, position: [1, 0, 0]}, " : "";
+  return bodies(
+      {{7, "  masses: [" + first + second + other + "]"}, {12, "check: {against: @kepler}"}});
+}
+
 class BodiesThatCannotBe : public BadScenario {};
 TEST_P(BodiesThatCannotBe, IsRefused) { expect_refused(); }
 
 const std::vector<ScenarioCase> cases{
     {"no_body", bodies({{5, "model: @{type: bodies}"}, {6, ""}, {7, ""}, {8, ""}}),
      "there is no body: give 'masses' or 'clusters'"},
-    {"mass_of_nothing", masses("[{mass: @0, position: [0, 0, 0]}]"),
-     "'mass' must be greater than 0, and is 0"},
+    {"mass_below_nothing", masses("[{mass: @-1, position: [0, 0, 0]}]"),
+     "'mass' must be at least 0, and is -1"},
+    {"test_particles_alone", masses("@[{mass: 0, position: [0, 0, 0]}]"),
+     "no body has a mass above 0"},
+    {"radius_below_nothing", masses("[{mass: 1, position: [0, 0, 0], radius: @-1}]"),
+     "'radius' must be at least 0, and is -1"},
+    {"two_of_one_name",
+     masses("[{name: A, mass: 1, position: [0, 0, 0]}, {name: @A, mass: 1, position: [1, 0, 0]}]"),
+     "there are two masses with the name 'A'"},
+    {"balls_in_contact",
+     masses("[{mass: 1, position: [0, 0, 0], radius: 0.5}, "
+            "{name: B, mass: 1, position: @[1, 0, 0], radius: 0.5}]"),
+     "mass 1 and B are in contact at the start"},
     {"cluster_of_fewer_than_none", clusters("[{type: uniform_ball, radius: 1, count: @-3}]"),
      "'count' must be from 1 to 1000000000, and is -3"},
     {"unknown_cluster", clusters("[{type: @plumer, scale_radius: 1, count: 3}]"),
@@ -74,7 +93,30 @@ const std::vector<ScenarioCase> cases{
      bodies({{3, "domain: {lower: [-1, -1, -1], upper: [1, 1, 1], walls: @[{side: x_lower}]}"}}),
      "the model bodies brings its own particles, and knows no walls"},
     {"another_collapse", bodies({{12, "check: {against: @cold_collapse}"}}),
-     "cold_collapse needs one cluster 'uniform_ball' in 3 dimensions and no other body"}};
+     "cold_collapse needs one cluster 'uniform_ball' in 3 dimensions and no other body"},
+    {"kepler_of_three", against_kepler("{mass: 1, position: [0, 1, 0]}"),
+     "kepler needs two bodies in 3 dimensions, and there are 3 in 3"},
+    {"kepler_of_a_hyperbola",
+     against_kepler("{mass: 1, position: [1, 0, 0], velocity: [0, 3, 0]}", 1),
+     "kepler needs two bodies that are bound to each other: these part for ever"},
+    {"kepler_on_a_line", against_kepler("{mass: 1, position: [1, 0, 0]}", 1),
+     "kepler needs bodies on an ellipse: these fall on a line"},
+    {"kepler_without_gravity",
+     bodies({{8, "  gravitational_constant: 0"}, {12, "check: {against: @kepler}"}}),
+     "kepler needs a 'gravitational_constant' above 0"},
+    {"kepler_of_spread_masses",
+     bodies({{8, "  softening: {name: gauss, size: 0.1}"}, {12, "check: {against: @kepler}"}}),
+     "kepler is for points, and these are softened"},
+    {"errors_against_nothing", bodies({{11, "output: {picture: false, errors: @true}"}}),
+     "there are no errors without an exact solution"},
+    {"probes_in_no_domain",
+     bodies({{3, ""}, {9, "probes: @[{name: front, type: front, along: x}]"}}),
+     "probes need a 'domain' to lie in"},
+    {"bounds_throughout_at_a_time",
+     bodies({{12, "check: {history: [@{quantity: energy, most: 1, throughout: true, at: 0.1}]}"}}),
+     "'throughout' has a meaning for 'most' and 'least' without 'at' alone"},
+    {"half_a_domain", bodies({{3, "domain: @{lower: [-1, -1, -1]}"}}),
+     "'upper' needs 3 numbers, one a dimension, and has 0"}};
 
 INSTANTIATE_TEST_SUITE_P(Table, BodiesThatCannotBe, testing::ValuesIn(cases), by_label);
 
@@ -83,6 +125,14 @@ TEST(BodiesThatCanBe, Run) {
   const Outcome outcome = Workspace(bodies({})).mote(running({"--out", "out", "--quiet"}));
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.errors, "");
+}
+
+/// They need no domain, no spacing and no operator, and their run.yaml gives the same run.
+TEST(BodiesThatCanBe, LeaveOutWhatTheyDoNotNeed) {
+  const Workspace workspace(bodies({{3, ""}, {4, ""}, {9, ""}}));
+  EXPECT_EQ(workspace.mote(running({"--out", "out", "--quiet"})).errors, "");
+  EXPECT_EQ(workspace.mote({"run", "out/run.yaml", "--out", "again", "--quiet"}).errors, "");
+  EXPECT_EQ(read(workspace / "out/history.csv"), read(workspace / "again/history.csv"));
 }
 
 }  // namespace

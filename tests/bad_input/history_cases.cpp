@@ -28,7 +28,7 @@ const std::vector<ScenarioCase> bad_history_checks{
     {"time_of_a_formula", line(15, "  history: [@{quantity: mass, at: 1, formula: '1', error: 1}]"),
      "'at' has a meaning for a value"},
     {"rows_of_a_value", line(15, "  history: [@{quantity: mass, from: 1, value: 1, error: 0.1}]"),
-     "'from' and 'until' have a meaning for a formula alone"},
+     "'from' and 'until' have a meaning for a formula, and with 'throughout', alone"},
     {"no_rows",
      line(15, "  history: [@{quantity: mass, from: 1, until: 0.5, formula: '1', error: 0.1}]"),
      "rows from 1 until 0.5 are none"},

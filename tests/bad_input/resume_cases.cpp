@@ -107,7 +107,7 @@ const std::vector<CommandCase> bad_run_files{
     resuming("not_yaml", "run/run.yaml:1:7: ", "this is not YAML",
              writing("run/run.yaml", "name: ]")),
     resuming("a_folder", "run/run.yaml: ", "this is a folder, not a file", make_run_yaml_a_folder),
-    resuming("key_misspelt", "run/run.yaml:15:3: ", "unknown key 'number'",
+    resuming("key_misspelt", "run/run.yaml:25:3: ", "unknown key 'number'",
              replacing("count", "number")),
     resuming("other_count", place_of_snapshot, "belongs to another scenario",
              replacing("count: 41", "count: 42")),

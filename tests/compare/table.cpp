@@ -49,12 +49,12 @@ TEST(CompareCsv, HasEveryColumnAndEmptyCellsWithoutAValue) {
       {passed(0, 4), broken(1, 1.5, "x, \"y\""), passed(2, 1), {.member = 3, .problem = "p"}});
   EXPECT_EQ(compare_csv(table),
             "particles.count,o,time,particles,steps,velocity_l1,velocity_l1_order,velocity_l2,"
-            "velocity_l2_order,velocity_max,velocity_max_order,wall_seconds,"
+            "velocity_l2_order,velocity_max,velocity_max_order,evaluations,wall_seconds,"
             "particle_updates_per_second,mass_drift,energy_drift,passed,failure,folder\n"
-            "10,a,3,41,10,8,,4,,12,,0.5,820,0,-0.10000000000000001,true,,runs/01-10-a\n"
-            "10,\"b,\"\"c\",1.5,41,4,,,,,,,0,0,,,false,\"x, \"\"y\"\"\",runs/02-10-b_c\n"
-            "20,a,3,41,10,2,2,1,2,3,2,0.5,820,0,-0.10000000000000001,true,,runs/03-20-a\n"
-            "20,\"b,\"\"c\",,,,,,,,,,,,,,false,p,runs/04-20-b_c\n");
+            "10,a,3,41,10,8,,4,,12,,0,0.5,820,0,-0.10000000000000001,true,,runs/01-10-a\n"
+            "10,\"b,\"\"c\",1.5,41,4,,,,,,,0,0,0,,,false,\"x, \"\"y\"\"\",runs/02-10-b_c\n"
+            "20,a,3,41,10,2,2,1,2,3,2,0,0.5,820,0,-0.10000000000000001,true,,runs/03-20-a\n"
+            "20,\"b,\"\"c\",,,,,,,,,,,,,,,false,p,runs/04-20-b_c\n");
 }
 
 TEST(CompareCsv, HasTheRowsThatAreThereInTheOrderOfTheMembers) {
@@ -104,10 +104,26 @@ TEST(CompareText, HasColumnsOfOneWidth) {
             "mps        –            0       –           –             failed at t = 1.5: gone\n");
 }
 
+TEST(CompareText, HasWhatRunsCostAndVectorsAsOneColumn) {
+  const Comparison made = comparison({{"time.integrator", {"a", "b", "c"}}});
+  Row row = passed(0, 4);
+  row.run->pair_work.evaluations = 42;
+  row.run->conservation = {{"momentum_x", 0, 0, 1e-9}, {"momentum_y", 0, 0, -2e-9}};
+  Row other = passed(1, 2);
+  other.run->conservation = {{"momentum_x", 0, 0, 3e-9}};
+  EXPECT_EQ(compare_text(table_of(made, {row, other, {.member = 2, .problem = "unsuited"}})),
+            "time.integrator  velocity L2  steps  evaluations  wall s  momentum drift  verdict\n"
+            "a                4.00e+00     10     42           0.5     -2.0e-09        passed\n"
+            "b                2.00e+00     10     0            0.5     3.0e-09         passed\n"
+            "c                –            –      –            –       –               "
+            "no result: unsuited\n");
+}
+
 TEST(Row, ReadsTheCertificateOfARun) {
   const TemporaryFolder folder;
   Certificate run = *passed(0, 2).run;
   run.steps_timed = 10;
+  run.pair_work.evaluations = 30;
   run.checks = {{"good", 1, 2}, {"bad", 3, 2}};
   write(folder / "summary.json", summary_json(run));
   const Row row = row_of(7, folder.path(), "");
@@ -115,6 +131,7 @@ TEST(Row, ReadsTheCertificateOfARun) {
   EXPECT_FALSE(row.passed);
   EXPECT_THAT(row.failed_checks, testing::ElementsAre("bad"));
   EXPECT_EQ(row.error("velocity")->max, 6);
+  EXPECT_EQ(row.run->pair_work.evaluations, 30);
   EXPECT_DOUBLE_EQ(row.updates_per_second, 820);
   EXPECT_DOUBLE_EQ(*row.drift("energy"), -0.1);
   EXPECT_FALSE(row.drift("momentum"));

@@ -84,13 +84,21 @@ std::vector<double> two_falls(Between between) {
 
 template <class Method>
 void expect_restart_after_forgetting() {
-  const auto restarted = two_falls<Method>([](Method&, Method& fresh) -> Method& { return fresh; });
+  FreeFall system({0}, {0}, {0});
+  if (!Method().missing_in(system).empty()) return;
+  bool has_memory = false;
+  const auto restarted = two_falls<Method>([&](Method& used, Method& fresh) -> Method& {
+    has_memory = !used.memory().empty();
+    fresh.recall(used.memory());
+    return fresh;
+  });
   const auto forgetful = two_falls<Method>([](Method& used, Method&) -> Method& {
     used.forget_rounding();
     return used;
   });
   const auto remembering = two_falls<Method>([](Method& used, Method&) -> Method& { return used; });
   EXPECT_EQ(forgetful, restarted) << Method::name;
+  if (has_memory) return;                             // that may hold what rounding lost
   EXPECT_NE(remembering, restarted) << Method::name;  // so the comparison above can fail
 }
 

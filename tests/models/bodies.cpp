@@ -141,6 +141,33 @@ TEST(Bodies, AskForStepsByTheirSofteningOrTheirDistance) {
   EXPECT_TRUE(std::isinf(make_bodies<3>(options)->longest_step(0, 0.5)));
 }
 
+/// A body of mass 0 falls on the same path as one of the same place and velocity with a mass next
+/// to nothing, and does not pull.
+TEST(Bodies, WithoutMassFeelTheOthersAndDoNotPull) {
+  const auto bodies = make_bodies<3>(
+      {.masses = {{2, {0, 0, 0}, {}}, {0, {1, 0, 0}, {0, 1, 0}}, {0, {0, 2, 0}, {}}}});
+  EXPECT_EQ(vector_of(*bodies, "acceleration", 0), (Vec<3>::Zero()));
+  EXPECT_LT((vector_of(*bodies, "acceleration", 1) - Vec<3>(-2, 0, 0)).norm(), 1e-15);
+  EXPECT_LT((vector_of(*bodies, "acceleration", 2) - Vec<3>(0, -0.5, 0)).norm(), 1e-15);
+  take_steps(*bodies, VelocityVerlet(), 10, 0.01);
+  EXPECT_EQ(vector_of(*bodies, "position", 0), (Vec<3>::Zero()));
+  EXPECT_EQ(told(*bodies, "energy"), 0);  // of all that has mass
+}
+
+TEST(Bodies, CountHowOftenAccelerationsAreFormed) {
+  const auto evaluations_in = [](auto method, int steps) {
+    const auto bodies = make_bodies<3>(pair_of_bodies(1));
+    const std::int64_t before = bodies->pair_work().evaluations;
+    take_steps(*bodies, method, steps, 1e-3);
+    const PairWork work = bodies->pair_work();
+    EXPECT_EQ(work.pairs, 2 * work.evaluations);
+    EXPECT_EQ(work.mean_neighbours, 1);
+    return work.evaluations - before;
+  };
+  EXPECT_EQ(evaluations_in(VelocityVerlet(), 7), 7);
+  EXPECT_EQ(evaluations_in(RungeKutta4(), 7), 7 * 4 - 1);  // the one at the start is there already
+}
+
 TEST(LagrangianRadii, HoldTheirPartsOfTheMass) {
   const double distance[] = {3, 1, 2, 4}, mass[] = {1, 2, 1, 6};
   EXPECT_EQ(lagrangian_radii(distance, mass, {0.1, 0.2, 0.21, 0.4, 0.5, 1}),

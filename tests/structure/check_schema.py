@@ -27,7 +27,7 @@ def wrong_scenarios(good):
     """Copies of a good scenario, each with one mistake."""
     changed = changer(good)
     yield "unknown key", changed(lambda s: s.update(partcles={}))
-    yield "missing key", changed(lambda s: s.pop("particles"))
+    yield "missing key", changed(lambda s: s.pop("model"))
     yield "unknown key in a section", changed(lambda s: s["time"].update(stop=1))
     yield "negative count", changed(lambda s: s["particles"].update(count=-1))
     yield "text for a section", changed(lambda s: s.update(domain="here"))
