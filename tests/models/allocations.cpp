@@ -44,12 +44,14 @@ bool step_holds(PressurelessGas& model, Integrator& integrator, int k) {
 }
 
 /// Memory that 200 steps after the first ask for, or as many as the particles do not cross in. The
-/// flow brings particles together in places, so that lists of neighbours change and grow.
+/// flow brings particles together in places, so that lists of neighbours change and grow. None if
+/// the integrator needs what this gas lacks.
 long allocations_after_first_step(const PressurelessGasOptions& options, OperatorOnALine op,
                                   Integrator& integrator) {
   LineGas gas = trapezoid();
   gas.velocity = [](double x) { return 0.2 * std::sin(2 * x); };
   PressurelessGas model = make_gas(gas, options, 41, std::move(op));
+  if (!integrator.missing_in(model).empty()) return 0;
   EXPECT_TRUE(step_holds(model, integrator, 0));
   const long before = allocations();
   for (int k = 1; k <= 200; ++k) {
