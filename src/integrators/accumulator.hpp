@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "mote/integrators/elementwise.hpp"
 #include "mote/integrators/system.hpp"
-#include "mote/particles/parallel.hpp"
 
 namespace mote {
 
@@ -23,11 +23,8 @@ class Accumulator {
 
   /// The same with what rounding loses lost: no more memory, and on all threads.
   static void advance_plainly(std::span<const Evolving> parts, double step) {
-    for (const Evolving& part : parts) {
-      const auto size = static_cast<std::ptrdiff_t>(part.value.size());
-#pragma omp parallel for schedule(static) if (size >= parallel_from)
-      for (std::ptrdiff_t i = 0; i < size; ++i) part.value[i] += step * part.rate[i];
-    }
+    for (const Evolving& part : parts)
+      for_each_element(part.value.size(), [&](auto i) { part.value[i] += step * part.rate[i]; });
   }
 
   void forget() {

@@ -41,7 +41,7 @@ double time_of_change(System& system) {
 }
 
 /// The largest |rate at stage 1 - rate at stage 0| of a part, over the largest of its values at the
-/// start or of what they would gain in `time`; the largest of all parts.
+/// start or of what they would gain in `time`; the largest of all parts that have either.
 double relative_change(HalfStages& half, double time) {
   std::vector<double> scale;
   for (const Evolving& part : half.combined(std::array{1.0, 0.0}))
@@ -50,8 +50,8 @@ double relative_change(HalfStages& half, double time) {
   const auto changes = half.combined(std::array{-1.0, 1.0});
   double largest = 0;
   for (std::size_t part = 0; part < changes.size(); ++part)
-    if (const double change = largest_magnitude(changes[part].rate); change > 0)
-      largest = std::max(largest, change / scale[part]);
+    if (scale[part] > 0)
+      largest = std::max(largest, largest_magnitude(changes[part].rate) / scale[part]);
   return largest;
 }
 

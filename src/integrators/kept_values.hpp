@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "mote/integrators/elementwise.hpp"
 #include "mote/integrators/system.hpp"
-#include "mote/particles/parallel.hpp"
 
 namespace mote {
 
@@ -31,17 +31,13 @@ class KeptValues {
     for (std::size_t part = 0; part < parts.size(); ++part) {
       const std::span<const double> from = values_[part], rate = parts[part].rate;
       const std::span<double> to = parts[part].value;
-      const auto size = static_cast<std::ptrdiff_t>(from.size());
-#pragma omp parallel for schedule(static) if (size >= parallel_from)
-      for (std::ptrdiff_t i = 0; i < size; ++i) to[i] = from[i] + step * rate[i];
+      for_each_element(from.size(), [=](auto i) { to[i] = from[i] + step * rate[i]; });
     }
   }
 
  private:
   static void copy(std::span<const double> from, std::span<double> to) {
-    const auto size = static_cast<std::ptrdiff_t>(from.size());
-#pragma omp parallel for schedule(static) if (size >= parallel_from)
-    for (std::ptrdiff_t i = 0; i < size; ++i) to[i] = from[i];
+    for_each_element(from.size(), [=](auto i) { to[i] = from[i]; });
   }
 
   std::vector<std::vector<double>> values_;

@@ -4,9 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "mote/integrators/elementwise.hpp"
 #include "mote/integrators/embedded_pair.hpp"
 #include "mote/integrators/kept_values.hpp"
 #include "mote/integrators/relative_error.hpp"
@@ -14,7 +16,7 @@
 
 namespace mote {
 
-/// Coefficients of an explicit pair of methods for x'' = f(t, x) (Nystroem 1925). With c the nodes,
+/// Coefficients of an explicit pair of methods for x'' = f(t, x) (Nystrom 1925). With c the nodes,
 /// a the matrix, b and b' the weights for places and velocities,
 ///   k_s = f(t + c_s h, x + c_s h v + h^2 sum_r a_sr k_r),
 ///   x(t + h) = x + h v + h^2 sum_s b_s k_s,   v(t + h) = v + h sum_s b'_s k_s.
@@ -28,7 +30,7 @@ struct NystromTableau {
   Weights lower_place, lower_velocity;  ///< of the method that the error is measured by
 };
 
-/// The Runge-Kutta-Nystroem pair whose coefficients are `Method::tableau` and whose second method
+/// The Runge-Kutta-Nystrom pair whose coefficients are `Method::tableau` and whose second method
 /// is of order `lower_order`. For systems that fall freely.
 template <class Method, int lower_order>
 class RungeKuttaNystrom : public EmbeddedPair {
@@ -97,9 +99,10 @@ class RungeKuttaNystrom : public EmbeddedPair {
   std::span<const Evolving> velocities(double node, std::span<const double> weights, double step) {
     const auto sums = kicked_.combined(weights);
     for (std::size_t part = 0; part < sums.size(); ++part) {
-      const std::span<const double> start = kicked_.values_at_start().values(part);
-      for (std::size_t i = 0; i < start.size(); ++i)
-        velocity_[part][i] = node * start[i] + step * sums[part].rate[i];
+      const auto start = kicked_.values_at_start().values(part), sum = sums[part].rate;
+      const std::span<double> velocity = velocity_[part];
+      for_each_element(start.size(),
+                       [=](auto i) { velocity[i] = node * start[i] + step * sum[i]; });
     }
     return velocities_;
   }

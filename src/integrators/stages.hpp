@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "mote/integrators/elementwise.hpp"
 #include "mote/integrators/kept_values.hpp"
 #include "mote/integrators/system.hpp"
-#include "mote/particles/parallel.hpp"
 
 namespace mote {
 
@@ -32,9 +32,11 @@ class HalfStages {
 
   /// Copies the system's rates as those of this stage.
   void take(std::size_t stage) {
-    for (std::size_t part = 0; part < parts_.size(); ++part)
-      for (std::size_t i = 0; i < parts_[part].rate.size(); ++i)
-        rate_[stage][part][i] = parts_[part].rate[i];
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+      const std::span<const double> from = parts_[part].rate;
+      const std::span<double> to = rate_[stage][part];
+      for_each_element(from.size(), [=](auto i) { to[i] = from[i]; });
+    }
   }
 
   bool is_finite(std::size_t stage) const {
@@ -47,11 +49,12 @@ class HalfStages {
   /// sum_s weight[s] * rate of stage s, in the order of s. What it returns is overwritten by the
   /// next call.
   std::span<const Evolving> combined(std::span<const double> weights) {
-    for (auto& part : combined_) part.assign(part.size(), 0);
-    for (std::size_t stage = 0; stage < weights.size(); ++stage)
-      if (weights[stage] != 0)
-        for (std::size_t part = 0; part < combined_.size(); ++part)
-          add(weights[stage], rate_[stage][part], combined_[part]);
+    for (std::size_t part = 0; part < combined_.size(); ++part) {
+      terms_.clear();
+      for (std::size_t stage = 0; stage < weights.size(); ++stage)
+        if (weights[stage] != 0) terms_.push_back({weights[stage], rate_[stage][part].data()});
+      add_up(terms_, combined_[part]);
+    }
     return combination_;
   }
 
@@ -62,6 +65,10 @@ class HalfStages {
 
  private:
   using Arrays = std::vector<std::vector<double>>;
+  struct Term {
+    double weight;
+    const double* rate;
+  };
 
   void shape(Arrays& arrays) const {
     arrays.resize(parts_.size());
@@ -69,16 +76,19 @@ class HalfStages {
       arrays[part].resize(parts_[part].value.size());
   }
 
-  static void add(double weight, std::span<const double> rate, std::span<double> sum) {
-    const auto size = static_cast<std::ptrdiff_t>(rate.size());
-#pragma omp parallel for schedule(static) if (size >= parallel_from)
-    for (std::ptrdiff_t i = 0; i < size; ++i) sum[i] += weight * rate[i];
+  static void add_up(std::span<const Term> terms, std::span<double> sums) {
+    for_each_element(sums.size(), [=](auto i) {
+      double sum = 0;
+      for (const Term& term : terms) sum += term.weight * term.rate[i];
+      sums[i] = sum;
+    });
   }
 
   std::span<const Evolving> parts_;
   KeptValues start_;
   std::vector<Arrays> rate_;
   Arrays combined_;
+  std::vector<Term> terms_;
   std::vector<Evolving> combination_;
 };
 

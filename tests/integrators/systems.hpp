@@ -99,8 +99,10 @@ class Planets final : public System {
       : eccentricity_(eccentricity), count_(count) {
     for (std::size_t i = 0; i < count; ++i) {
       const Place start = exact(i, 0);
-      position_.insert(position_.end(), start.begin(), start.begin() + 2);
-      velocity_.insert(velocity_.end(), start.begin() + 2, start.end());
+      for (const std::size_t c : {0, 1}) {
+        position_.push_back(start[c]);
+        velocity_.push_back(start[2 + c]);
+      }
     }
     rate_ = acceleration_ = prepared_ = position_;
     drifted_ = {{{position_, rate_}}};

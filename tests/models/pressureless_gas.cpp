@@ -11,7 +11,8 @@
 namespace mote::test {
 namespace {
 
-/// All fields after 200 steps with sph.gauss and density by the continuity equation.
+/// All fields after 200 steps with sph.gauss and density by the continuity equation; nothing if the
+/// method needs what this gas lacks.
 template <class Method>
 std::vector<std::vector<double>> state_with_threads(int threads) {
   const int threads_before = omp_get_max_threads();
@@ -22,6 +23,7 @@ std::vector<std::vector<double>> state_with_threads(int threads) {
       .gravity = gas.gravity, .viscosity = 1e-3, .density = DensityForm::continuity};
   PressurelessGas model = make_gas<Random>(gas, options, 101, sph_gauss(), 3);
   Method method;
+  if (!method.missing_in(model).empty()) return {};
   run(model, method, 0.2, 200);
   omp_set_num_threads(threads_before);
   std::vector<std::vector<double>> state;
@@ -38,7 +40,8 @@ TEST(PressurelessGas, GivesTheSameBitsAtAnyNumberOfThreads) {
   EXPECT_NE(state_with_threads<SymplecticEuler>(1), state_with_threads<ForwardEuler>(1));
 }
 
-/// Drift of a conserved quantity of a gas on a random layout, relative to its scale.
+/// Drift of a conserved quantity of a gas on a random layout, relative to its scale; 0 if the
+/// integrator needs what this gas lacks.
 struct Drifts {
   double mass, momentum, energy;
 };
@@ -53,6 +56,7 @@ Drifts drifts(Integrator& integrator, int steps) {
     return u;
   };
   PressurelessGas model = make_gas<Random>(gas, {.gravity = gas.gravity}, 200, sph_gauss(), 7);
+  if (!integrator.missing_in(model).empty()) return {};
   const auto start = model.conserved();
   run(model, integrator, 5, steps);
   model.inspect();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "mote/integrators/all.hpp"
@@ -15,13 +16,17 @@
 namespace mote::test {
 namespace {
 
-/// The density at t = 3 after this many steps.
-std::vector<double> density_after(int steps, Integrator& method) {
+PressurelessGas gas_with_a_wave() {
   const LineGas gas{"wave", 0.0015,
                     [](double x) { return 0.6 - 0.5 * std::cos(std::numbers::pi * x / 2); },
                     [](double x) { return 0.05 * std::sin(x); }};
   const PressurelessGasOptions options{.gravity = gas.gravity, .density = DensityForm::continuity};
-  PressurelessGas model = make_gas(gas, options, 41);
+  return make_gas(gas, options, 41);
+}
+
+/// The density at t = 3 after this many steps.
+std::vector<double> density_after(int steps, Integrator& method) {
+  PressurelessGas model = gas_with_a_wave();
   run(model, method, 3, steps);
   const auto density = model.cloud().values("density");
   return {density.begin(), density.end()};
@@ -57,12 +62,26 @@ testing::AssertionResult has_order(int order) {
   return testing::AssertionFailure() << "error " << coarser;
 }
 
+/// Integrators that a gas lacks nothing for.
 template <class Method>
-struct DensityByContinuity : testing::Test {};
+struct DensityByContinuity : testing::Test {
+  void SetUp() override {
+    PressurelessGas model = gas_with_a_wave();
+    const std::string missing = Method().missing_in(model);
+    if (!missing.empty()) GTEST_SKIP() << "it needs " << missing;
+  }
+};
 TYPED_TEST_SUITE(DensityByContinuity, TypesOf<Integrators>::type, NameOfType);
 
 TYPED_TEST(DensityByContinuity, HasTheOrderOfTheIntegrator) {
-  EXPECT_TRUE(has_order<TypeParam>(TypeParam::order));
+  if (TypeParam::order <= 4)
+    EXPECT_TRUE(has_order<TypeParam>(TypeParam::order));
+  else  // 25 steps leave an error of rounding
+    EXPECT_LT(error_after<TypeParam>(25), 1e-13);
+}
+
+TEST(DensityByContinuityCheck, HasMoreThanErrorsOfRoundingAtOrderFour) {
+  EXPECT_GT(error_after<RungeKutta4>(25), 1e-10);
 }
 
 TYPED_TEST(DensityByContinuity, CheckRejectsTheOrderAbove) {
