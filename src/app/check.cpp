@@ -8,6 +8,7 @@
 #include "mote/app/commands.hpp"
 #include "mote/app/prepare.hpp"
 #include "mote/particles/failure.hpp"
+#include "mote/stationary/stationary_file.hpp"
 
 namespace mote {
 namespace {
@@ -44,9 +45,16 @@ std::size_t bytes_of_fields(const Cloud& cloud) {
   return bytes;
 }
 
+int check_stationary(StationaryFile file) {
+  fmt::print("{}# valid: {} nodes, {} states\n", resolved_yaml(file), file.nodes, file.states);
+  return 0;
+}
+
 }  // namespace
 
 int check(const Catalogue& catalogue, const RunOptions& options) {
+  const Document document = read_document(options);
+  if (is_stationary(document)) return check_stationary(read_stationary(document));
   Simulation simulation = prepare_simulation(catalogue, options);
   const double memory = simulation.bytes_needed();
   const TrialStep step = trial_step(simulation);

@@ -152,8 +152,8 @@ class Commands {
 
     CLI::App* schema_command = add(app, "schema", "the JSON Schema of a scenario or study file",
                                    [this] { return print_schema(catalogue_, schema_of_); });
-    schema_command->add_option("of", schema_of_, "scenario or study")
-        ->check(CLI::IsMember({"scenario", "study"}));
+    schema_command->add_option("of", schema_of_, "scenario, study or stationary")
+        ->check(CLI::IsMember({"scenario", "study", "stationary"}));
   }
 
   int exit_code() const { return exit_code_; }

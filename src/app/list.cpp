@@ -7,6 +7,7 @@
 #include "mote/app/commands.hpp"
 #include "mote/app/shared_folder.hpp"
 #include "mote/particles/lattice.hpp"
+#include "mote/stationary/stationary_file.hpp"
 
 namespace mote {
 namespace {
@@ -24,6 +25,13 @@ Choices operators(const Catalogue& catalogue) {
 Choices layouts(const Catalogue& catalogue) {
   Choices choices = choices_of(catalogue.layouts);
   for (const Choice& lattice : lattice_layouts()) choices.push_back(lattice);
+  return choices;
+}
+
+/// Those that move, and those without time.
+Choices models(const Catalogue& catalogue) {
+  Choices choices = choices_of(catalogue.models);
+  choices.insert(choices.end(), stationary_models.begin(), stationary_models.end());
   return choices;
 }
 
@@ -50,7 +58,7 @@ using Lister = Choices (*)(const Catalogue&);
 const std::map<std::string, Lister> listers{
     {"kernels", [](const Catalogue& c) { return choices_of(c.kernels); }},
     {"operators", operators},
-    {"models", [](const Catalogue& c) { return choices_of(c.models); }},
+    {"models", models},
     {"integrators", [](const Catalogue& c) { return choices_of(c.integrators); }},
     {"layouts", layouts},
     {"exact", [](const Catalogue& c) { return choices_of(c.exact_solutions); }},

@@ -6,6 +6,7 @@
 #include "mote/app/history_checks.hpp"
 #include "mote/particles/failure.hpp"
 #include "mote/scenario/located_error.hpp"
+#include "mote/stationary/stationary_file.hpp"
 #include "mote/study/study_file.hpp"
 
 namespace mote {
@@ -22,6 +23,9 @@ Document read_scenario_document(const RunOptions& options) {
   Document document = read_document(options);
   if (is_study(document))
     throw LocatedError(options.file, "this is a study and not a scenario: mote study runs it");
+  if (is_stationary(document))
+    throw LocatedError(options.file,
+                       "this is a model without time: mote run and check take it alone");
   return document;
 }
 

@@ -3,10 +3,14 @@
 #include "mote/app/commands.hpp"
 #include "mote/app/prepare.hpp"
 #include "mote/app/run_loop.hpp"
+#include "mote/app/solve.hpp"
 #include "mote/output/files.hpp"
+#include "mote/stationary/stationary_file.hpp"
 
 namespace mote {
 int run(const Catalogue& catalogue, const RunOptions& options) {
+  const Document document = read_document(options);
+  if (is_stationary(document)) return solve(document, options);
   Simulation simulation = prepare_simulation(catalogue, options);
   OutputFolder folder =
       OutputFolder::create(output_folder(options, simulation.scenario().name),

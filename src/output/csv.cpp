@@ -35,4 +35,16 @@ std::string csv_of(const Cloud& cloud) {
   return text;
 }
 
+std::string csv_of(const Table& table) {
+  std::string text;
+  for (const Column& column : table) text += (text.empty() ? "" : ",") + column.name;
+  text += '\n';
+  for (std::size_t row = 0; !table.empty() && row < table[0].values.size(); ++row) {
+    for (std::size_t c = 0; c < table.size(); ++c)
+      fmt::format_to(std::back_inserter(text), "{}{:.17g}", c > 0 ? "," : "", table[c].values[row]);
+    text += '\n';
+  }
+  return text;
+}
+
 }  // namespace mote

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "mote/output/files.hpp"
+#include "mote/output/tables.hpp"
 #include "mote/particles/failure.hpp"
 
 namespace mote {
@@ -130,15 +131,7 @@ void OutputFolder::write_series() const {
 }
 
 void OutputFolder::write_table(const std::string& name, const Table& table) const {
-  std::string text;
-  for (const Column& column : table) text += (text.empty() ? "" : ",") + column.name;
-  text += '\n';
-  for (std::size_t row = 0; !table.empty() && row < table[0].values.size(); ++row) {
-    for (std::size_t c = 0; c < table.size(); ++c)
-      fmt::format_to(std::back_inserter(text), "{}{:.17g}", c > 0 ? "," : "", table[c].values[row]);
-    text += '\n';
-  }
-  write_file(file(name), text);
+  write_file(file(name), csv_of(table));
 }
 
 }  // namespace mote

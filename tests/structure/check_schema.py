@@ -51,6 +51,15 @@ def wrong_studies(good):
     yield "unknown quantity", changed(lambda s: s.update(quantities=["slope"]))
 
 
+def wrong_stationary(good):
+    """Copies of a good file of a model without time, each with one mistake."""
+    changed = changer(good)
+    yield "unknown key", changed(lambda s: s.update(time={"end": 1}))
+    yield "missing key", changed(lambda s: s.pop("particles"))
+    yield "unknown potential", changed(lambda s: s["model"].update(potential="box"))
+    yield "one node", changed(lambda s: s["particles"].update(count=1))
+
+
 def check(program, of, files, wrong_ones):
     """Checks the schema of one kind of file; returns how many good and wrong ones there were."""
     printed = subprocess.run([program, "schema", of], capture_output=True, check=True).stdout
@@ -72,8 +81,11 @@ def main():
     program, folder = sys.argv[1], pathlib.Path(sys.argv[2])
     files = sorted(folder.rglob("*.yaml"))
     studies = [file for file in files if file.parent.name == "studies"]
-    check(program, "scenario", [file for file in files if file not in studies], wrong_scenarios)
+    stationary = [file for file in files if file.parent.name == "quantum"]
+    scenarios = [file for file in files if file not in studies + stationary]
+    check(program, "scenario", scenarios, wrong_scenarios)
     check(program, "study", studies, wrong_studies)
+    check(program, "stationary", stationary, wrong_stationary)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,56 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/program.hpp"
+
+namespace mote::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+using Names = std::vector<std::string>;
+
+const std::string well =
+    "name: well\ndomain: {lower: [0], upper: [1]}\nparticles: {count: 2}\n"
+    "model: {type: schroedinger, potential: infinite_well, states: 2}\n"
+    "check: {energies: [0.0133, 0.064]}\noutput: {picture: false}\n";
+
+/// A folder with a model without time, which mote solves there.
+struct Place : TemporaryFolder {
+  Outcome solve(const Names& more = {}) const {
+    write(*this / "well.yaml", well);
+    Names arguments{"run", (*this / "well.yaml").string(), "--out", (*this / "out").string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return mote(arguments);
+  }
+  std::string file(const std::string& name) const { return read(*this / "out" / name); }
+};
+
+TEST(Stationary, LeavesEnergiesWaveFunctionsAndAReport) {
+  const Place place;
+  EXPECT_EQ(place.solve().exit_code, 0);
+  EXPECT_THAT(place.file("eigenvalues.csv"), StartsWith("state,energy,exact,relative_error\n1,10"));
+  EXPECT_THAT(place.file("wave_functions.csv"), StartsWith("x,psi_1,psi_2,exact_1,exact_2\n0,0,"));
+  EXPECT_THAT(place.file("report.md"), HasSubstr("| 2 | 42 | 39.4784176044 | 6.39e-02 |"));
+  EXPECT_TRUE(nlohmann::json::parse(place.file("summary.json"))["passed"]);
+}
+
+TEST(Stationary, FailsWhereALimitDoesNotHold) {
+  const Place place;
+  EXPECT_EQ(place.solve({"--set", "check.energies=[0.0131]"}).exit_code, 1);
+  EXPECT_THAT(place.file("report.md"), HasSubstr("**A check failed.**"));
+}
+
+TEST(Stationary, RefusesWhatDoesNotFit) {
+  const Place place;
+  EXPECT_THAT(place.solve({"--set", "model.states=3"}).errors,
+              HasSubstr("2 nodes have 2 states, and not 3"));
+  EXPECT_THAT(
+      place.solve({"--set", "model.potential=coulomb", "--set", "domain.lower=[0.5]"}).errors,
+      HasSubstr("the domain must start"));
+  EXPECT_THAT(place.solve({"--set", "time.end=1"}).errors, HasSubstr("unknown key 'time'"));
+}
+
+}  // namespace
+}  // namespace mote::test
