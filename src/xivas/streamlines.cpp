@@ -108,6 +108,7 @@ void Streamlines<D>::go_on(const Mat<D>& gradient, const Vec<D>& velocity, doubl
   at.time += part * path.duration();
   if (exit == nullptr) return;
   at.left = exit->neighbour == no_cell;
+  if (at.left) at.outward = exit->normal;
   if (at.left) return;
   at.cell = exit->neighbour;
   ++at.crossings;

@@ -10,11 +10,12 @@ namespace mote {
 template <int D>
 struct Passage {
   Vec<D> position;
-  Index cell;                    ///< that it is in, or left the mesh from
-  double time = 0;               ///< how long it was under way
-  bool left = false;             ///< whether it came to the hull, where it stays
-  int crossings = 0;             ///< of faces
-  Vec<D> gain = Vec<D>::Zero();  ///< the second field, integrated along its way
+  Index cell;                       ///< that it is in, or left the mesh from
+  double time = 0;                  ///< how long it was under way
+  bool left = false;                ///< whether it came to the hull, where it stays
+  Vec<D> outward = Vec<D>::Zero();  ///< normal of the hull where it left
+  int crossings = 0;                ///< of faces
+  Vec<D> gain = Vec<D>::Zero();     ///< the second field, integrated along its way
 };
 
 /// Streamlines of a piecewise linear velocity, followed exactly from cell to cell: Nadukandi 2014,
