@@ -153,31 +153,32 @@ Index Tracers<D>::left() const {
       std::ranges::count_if(left_at_, [](double at) { return at != under_way; }));
 }
 
-/// Of every invariant the largest change that a tracer has seen, against the largest value.
+/// Of an invariant 1 less the largest change that a tracer has seen, over the largest value.
 template <int D>
-std::vector<Conserved> Tracers<D>::conserved() const {
-  std::vector<Conserved> changes;
-  for (std::size_t k = 0; k < invariants_.size(); ++k) {
-    const auto at_start = cloud_.values(start_of(options_.invariants[k]));
-    double change = 0, scale = 0;
-    for (Index i = 0; i < cloud_.count(); ++i) {
-      const double start = at_start[static_cast<std::size_t>(i)];
-      change = std::max(change, std::abs(invariant(k, i) - start));
-      scale = std::max(scale, std::abs(start));
-    }
-    changes.push_back({change_of(options_.invariants[k]), change, scale});
+double Tracers<D>::kept(std::size_t number) const {
+  const auto at_start = cloud_.values(start_of(options_.invariants[number]));
+  double change = 0, scale = 0;
+  for (Index i = 0; i < cloud_.count(); ++i) {
+    const double start = at_start[static_cast<std::size_t>(i)];
+    change = std::max(change, std::abs(invariant(number, i) - start));
+    scale = std::max(scale, std::abs(start));
   }
-  return changes;
+  return change == 0 ? 1 : 1 - change / scale;
 }
 
 template <int D>
 std::vector<Reading> Tracers<D>::readings() const {
-  if (!mesh_) return {};
-  const auto crossings = std::accumulate(crossings_.begin(), crossings_.end(), std::int64_t{0});
-  const auto count = static_cast<double>(cloud_.count());
-  return {{"crossings", static_cast<double>(crossings) / count},
-          {"courant_number", courant_number_},
-          {"share_inside", 1 - left() / count}};
+  std::vector<Reading> readings;
+  if (mesh_) {
+    const auto crossings = std::accumulate(crossings_.begin(), crossings_.end(), std::int64_t{0});
+    const auto count = static_cast<double>(cloud_.count());
+    readings = {{"crossings", static_cast<double>(crossings) / count},
+                {"courant_number", courant_number_},
+                {"share_inside", 1 - left() / count}};
+  }
+  for (std::size_t k = 0; k < invariants_.size(); ++k)
+    readings.push_back({options_.invariants[k].name + "_kept", kept(k)});
+  return readings;
 }
 
 /// A Courant number is one of the mesh, or of the spacing of the tracers where there is no mesh.

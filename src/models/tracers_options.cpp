@@ -29,14 +29,15 @@ void TracersOptions::describe(Description& d) {
              {0, 0.45});
     d.count({"seed", "of those moves"}, mesh.seed, not_negative);
   });
-  describe_list(
-      d,
-      {"invariants",
-       "what the exact motion of every tracer keeps; the history has the largest change"},
-      invariants, [&](TracerInvariant& invariant) {
-        d.text({"name", "of its change in the history: <name>_change", true}, invariant.name);
-        d.expression({"formula", "in x, y and z", true}, invariant.formula);
-      });
+  describe_list(d,
+                {"invariants",
+                 "what the exact motion of every tracer keeps; the history has 1 less the largest "
+                 "change over the largest "
+                 "value"},
+                invariants, [&](TracerInvariant& invariant) {
+                  d.text({"name", "in the history: <name>_kept", true}, invariant.name);
+                  d.expression({"formula", "in x, y and z", true}, invariant.formula);
+                });
 }
 
 void TracersOptions::check() const {
@@ -45,12 +46,6 @@ void TracersOptions::check() const {
     if (!names.insert(invariants[k].name).second)
       throw InputError(fmt::format("model.invariants.{}.name", k),
                        fmt::format("there are two invariants '{}'", invariants[k].name));
-}
-
-std::vector<std::string> TracersRecipe::conserved_names(int /*dimension*/) const {
-  std::vector<std::string> names;
-  for (const TracerInvariant& invariant : options.invariants) names.push_back(change_of(invariant));
-  return names;
 }
 
 std::unique_ptr<Model> TracersRecipe::make(SpaceSetup setup) const {

@@ -18,9 +18,6 @@ struct TracerInvariant {
   std::string name, formula;
 };
 
-/// What the largest change of it is called.
-inline std::string change_of(const TracerInvariant& of) { return of.name + "_change"; }
-
 /// Options of tracers; see `describe` for their meaning.
 struct TracersOptions {
   std::vector<std::string> velocity;
@@ -53,7 +50,7 @@ class TracersRecipe final : public ModelRecipe {
   bool step_suffices() const override { return true; }
   void describe(Description& description) override { options.describe(description); }
   std::vector<InitialField> initial_fields(int /*dimension*/) const override { return {}; }
-  std::vector<std::string> conserved_names(int dimension) const override;
+  std::vector<std::string> conserved_names(int /*dimension*/) const override { return {}; }
   using ModelRecipe::make;
   std::unique_ptr<Model> make(SpaceSetup setup) const override;
 };
