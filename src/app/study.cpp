@@ -12,6 +12,7 @@
 #include "mote/output/files.hpp"
 #include "mote/output/picture.hpp"
 #include "mote/scenario/located_error.hpp"
+#include "mote/study/difference_table.hpp"
 #include "mote/study/study_file.hpp"
 #include "mote/study/study_tables.hpp"
 
@@ -66,12 +67,29 @@ void print_errors(const StudyResult& result) {
                row.error, row.order ? fmt::format("{:.2f}", *row.order) : "");
 }
 
+int tabulate_differences(const Document& document, const RunOptions& options) {
+  DifferenceTableFile file = read_difference_table(document);
+  const fs::path folder = output_folder(options, file.name);
+  const ClaimedFolder claimed(folder, options.overwrite ? Existing::replace : Existing::refuse,
+                              study_folder);
+  const DifferenceTable table = evaluated(file);
+  begin(claimed, folder, resolved_yaml(file));
+  write_file(folder / "study.csv", table_csv(table));
+  write_file(folder / "study.md", table_markdown(file, table));
+  const auto checks = table_checks(file, table);
+  if (!options.quiet)
+    fmt::print("{}{}report:  {}\n", table_text(table), checks_text(checks),
+               (folder / "study.md").string());
+  return std::ranges::all_of(checks, &CheckResult::passed) ? 0 : 1;
+}
+
 }  // namespace
 
 int study(const Catalogue& catalogue, const RunOptions& options) {
   const Document document = read_document(options);
   if (!is_study(document) && document.root().find("model") != nullptr)
     throw LocatedError(options.file, "this is a scenario and not a study: mote run runs it");
+  if (is_difference_table(document)) return tabulate_differences(document, options);
   StudyFile file = read_study(document, catalogue);
   if (options.threads > 0) omp_set_num_threads(options.threads);
   const auto start = std::chrono::steady_clock::now();

@@ -7,6 +7,7 @@
 
 #include "mote/catalogue/exact_bodies.hpp"
 #include "mote/catalogue/exact_flows.hpp"
+#include "mote/catalogue/exact_tracers.hpp"
 #include "mote/catalogue/exact_vortices.hpp"
 #include "mote/catalogue/refined.hpp"
 #include "mote/exact/burgers_cole_hopf.hpp"
@@ -101,6 +102,7 @@ std::vector<ExactEntry> exact_entries() {
   std::ranges::move(flow_entries(), std::back_inserter(entries));
   std::ranges::move(vortex_entries(), std::back_inserter(entries));
   std::ranges::move(bodies_entries(), std::back_inserter(entries));
+  std::ranges::move(tracer_entries(), std::back_inserter(entries));
   return entries;
 }
 

@@ -11,11 +11,12 @@
 namespace mote {
 
 template <int D>
-FreeStream<D>::FreeStream(const std::vector<std::string>& formulas, const SpaceStart& start)
+FreeStream<D>::FreeStream(const std::vector<std::string>& formulas, const SpaceStart& start,
+                          const std::string& key)
     : step_(1e-3 * start.spacing) {
   if (!formulas.empty() && formulas.size() != D)
-    throw InputError("model.free_stream",
-                     fmt::format("'free_stream' needs {} formulas, one a dimension, and has {}", D,
+    throw InputError("model." + key,
+                     fmt::format("'{}' needs {} formulas, one a dimension, and has {}", key, D,
                                  formulas.size()));
   formulas_.resize(static_cast<std::size_t>(omp_get_max_threads()));
   for (auto& mine : formulas_)

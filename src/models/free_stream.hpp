@@ -11,8 +11,10 @@ namespace mote {
 template <int D>
 class FreeStream {
  public:
-  /// `formulas` holds one a dimension, or none. Throws InputError for another number.
-  FreeStream(const std::vector<std::string>& formulas, const SpaceStart& start);
+  /// `formulas` holds one a dimension, or none. Throws InputError for another number, with the key
+  /// of the model that they stand at.
+  FreeStream(const std::vector<std::string>& formulas, const SpaceStart& start,
+             const std::string& key = "free_stream");
 
   bool exists() const { return !formulas_.front().empty(); }
   /// Adds it to the velocities at these places.

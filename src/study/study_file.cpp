@@ -1,15 +1,18 @@
 #include "mote/study/study_file.hpp"
 
+#include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
 #include "mote/scenario/reader.hpp"
 #include "mote/scenario/schema.hpp"
 #include "mote/scenario/writer.hpp"
 #include "mote/study/complete_study.hpp"
+#include "mote/study/difference_table.hpp"
 
 namespace mote {
 
 bool is_study(const Document& document) {
+  if (is_difference_table(document)) return true;
   return document.root().find("field") != nullptr && document.root().find("model") == nullptr;
 }
 
@@ -31,11 +34,17 @@ std::string resolved_yaml(StudyFile& study, const Catalogue& catalogue) {
   return std::string(out.c_str()) + "\n";
 }
 
+/// A study is of one kind or the other; their schemas share no definitions.
 std::string study_schema(const Catalogue& catalogue) {
-  return schema_of("mote study", [&](Description& description) {
+  const std::string of_operators = schema_of("mote study of operators", [&](Description& d) {
     StudyFile study;
-    describe(description, study, catalogue);
+    describe(d, study, catalogue);
   });
+  return fmt::format(
+      "{{\"$schema\": \"https://json-schema.org/draft/2020-12/schema\", \"title\": \"mote "
+      "study\",\n"
+      "\"anyOf\": [{},\n{}]}}",
+      of_operators, difference_table_schema());
 }
 
 }  // namespace mote

@@ -262,10 +262,27 @@ TEST(Study, HasASchema) {
   EXPECT_EQ(outcome.exit_code, 0);
   const json schema = json::parse(outcome.output);
   EXPECT_EQ(schema["title"], "mote study");
+  const json operators = schema["anyOf"][0]["properties"];
   for (const char* key : {"field", "layouts", "operators", "resolutions", "check", "marks"})
-    EXPECT_TRUE(schema["properties"].contains(key)) << key;
-  EXPECT_EQ(schema["properties"]["layouts"]["type"], "array");
+    EXPECT_TRUE(operators.contains(key)) << key;
+  EXPECT_EQ(operators["layouts"]["type"], "array");
+  for (const char* key : {"table", "decades", "schemes", "check"})
+    EXPECT_NE(schema["anyOf"][1].dump().find('"' + std::string(key) + '"'), std::string::npos)
+        << key;
   EXPECT_NE(outcome.output, mote({"schema", "scenario"}).output);
+}
+
+TEST(Study, TabulatesDifferences) {
+  const TemporaryFolder folder;
+  const auto file =
+      write(folder / "table.yaml",
+            "name: t\ntable: fourth_difference\ncheck: [{scheme: usual, error: 1.0e-10}]\n");
+  const std::string out = (folder / "out").string();
+  EXPECT_EQ(mote({"study", file.string(), "--out", out}).exit_code, 1);
+  EXPECT_EQ(
+      mote({"study", file.string(), "--out", out, "--overwrite", "--set", "check=[]"}).exit_code,
+      0);
+  EXPECT_EQ(mote({"run", file.string()}).exit_code, 2);
 }
 
 std::string of_points(const std::string& path, int dimension = 2) {

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mote/models/model.hpp"
+
+namespace mote {
+
+/// How tracers move.
+enum class TracerMethod { streamlines, rates };
+
+/// A quantity that the exact motion of every tracer keeps.
+struct TracerInvariant {
+  std::string name, formula;
+};
+
+/// Options of tracers; see `describe` for their meaning.
+struct TracersOptions {
+  std::vector<std::string> velocity;
+  TracerMethod method = TracerMethod::streamlines;
+
+  struct Mesh {
+    std::optional<double> spacing;
+    double jitter = 0;
+    std::int64_t seed = 0;
+  } mesh;
+
+  std::vector<TracerInvariant> invariants;
+
+  void describe(Description& description);
+  /// Throws InputError for names that are used twice.
+  void check() const;
+};
+
+/// `type: tracers` in a scenario.
+class TracersRecipe final : public ModelRecipe {
+ public:
+  static constexpr std::string_view name = "tracers";
+  static constexpr std::string_view summary =
+      "material points in a given velocity field, moved along the streamlines of its piecewise "
+      "linear interpolant (X-IVAS), or by an integrator";
+
+  TracersOptions options;
+
+  bool lives_on_a_line() const override { return false; }
+  bool step_suffices() const override { return true; }
+  void describe(Description& description) override { options.describe(description); }
+  std::vector<InitialField> initial_fields(int /*dimension*/) const override { return {}; }
+  std::vector<std::string> conserved_names(int /*dimension*/) const override { return {}; }
+  using ModelRecipe::make;
+  std::unique_ptr<Model> make(SpaceSetup setup) const override;
+};
+
+}  // namespace mote

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mote/output/certificate.hpp"
+#include "mote/scenario/document.hpp"
+
+namespace mote {
+
+/// A study file with the key `table`: divided differences of the exponential function, or matrix
+/// exponentials, for nodes or eigenvalues that come together, by several schemes beside the exact
+/// value. The tables of Nadukandi 2014 are such studies.
+struct DifferenceTableFile {
+  std::string name;
+  std::string table;                 ///< what is evaluated
+  std::int64_t decades = 15;         ///< rows: h = 1/10, 1/100, ...
+  std::vector<std::string> schemes;  ///< columns
+
+  /// What the errors of a scheme must hold in all rows: of P, Q or R if the table has these.
+  struct Check {
+    std::string scheme, quantity;
+    std::optional<double> error;        ///< at most, in every row
+    std::optional<double> least_error;  ///< at least, in some row
+  };
+  std::vector<Check> checks;
+};
+
+/// The relative errors of one quantity by one scheme, and what it is, row by row.
+struct DifferenceColumn {
+  std::string scheme, quantity;
+  std::vector<double> values;  ///< of a matrix its norm
+  std::vector<double> errors;
+};
+
+/// All columns, and the exact values of every quantity.
+struct DifferenceTable {
+  std::vector<double> h;
+  std::vector<DifferenceColumn> exact, columns;
+};
+
+bool is_difference_table(const Document& document);
+
+/// Reads and checks a document. Throws LocatedError.
+DifferenceTableFile read_difference_table(const Document& document);
+
+/// The file as YAML with every default.
+std::string resolved_yaml(DifferenceTableFile& file);
+
+/// The JSON Schema of such a file.
+std::string difference_table_schema();
+
+DifferenceTable evaluated(const DifferenceTableFile& file);
+
+std::vector<CheckResult> table_checks(const DifferenceTableFile& file,
+                                      const DifferenceTable& table);
+
+/// study.csv: h,scheme,quantity,value,exact,error. 17 digits.
+std::string table_csv(const DifferenceTable& table);
+
+/// The table for a person, in plain text and in study.md.
+std::string table_text(const DifferenceTable& table);
+std::string table_markdown(const DifferenceTableFile& file, const DifferenceTable& table);
+
+}  // namespace mote

@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "mote/study/difference_table.hpp"
+
+namespace mote {
+namespace {
+
+const DifferenceColumn& exact_of(const DifferenceTable& table, const DifferenceColumn& column) {
+  return *std::ranges::find(table.exact, column.quantity, &DifferenceColumn::quantity);
+}
+
+bool has_one_quantity(const DifferenceTable& table) { return table.exact.size() == 1; }
+
+/// Digits that agree, of sixteen.
+std::string digits(double error) {
+  if (!(error < 1)) return "0";
+  return fmt::format("{}", error == 0 ? 16 : std::min(16, static_cast<int>(-std::log10(error))));
+}
+
+/// Of one quantity the values with their digits, of several the errors alone.
+std::vector<std::string> heads(const DifferenceTable& table) {
+  std::vector<std::string> heads{"h"};
+  if (has_one_quantity(table))
+    heads.push_back(fmt::format("exact {}", table.exact.front().quantity));
+  for (const DifferenceColumn& column : table.columns)
+    heads.push_back(has_one_quantity(table) ? fmt::format("{} (digits)", column.scheme)
+                                            : fmt::format("{} {}", column.quantity, column.scheme));
+  return heads;
+}
+
+std::vector<std::string> cells(const DifferenceTable& table, std::size_t row) {
+  std::vector<std::string> cells{fmt::format("{:.0e}", table.h[row])};
+  if (has_one_quantity(table))
+    cells.push_back(fmt::format("{:.15e}", table.exact.front().values[row]));
+  for (const DifferenceColumn& column : table.columns)
+    cells.push_back(has_one_quantity(table) ? fmt::format("{:.15e} ({})", column.values[row],
+                                                          digits(column.errors[row]))
+                                            : fmt::format("{:.1e}", column.errors[row]));
+  return cells;
+}
+
+std::string name_of(const DifferenceTable& table, const DifferenceColumn& column) {
+  return has_one_quantity(table) ? column.scheme
+                                 : fmt::format("{} by {}", column.quantity, column.scheme);
+}
+
+}  // namespace
+
+std::vector<CheckResult> table_checks(const DifferenceTableFile& file,
+                                      const DifferenceTable& table) {
+  std::vector<CheckResult> checks;
+  for (const auto& check : file.checks)
+    for (const DifferenceColumn& column : table.columns) {
+      if (column.scheme != check.scheme) continue;
+      if (!check.quantity.empty() && column.quantity != check.quantity) continue;
+      const double worst = std::ranges::max(column.errors);
+      const std::string name = name_of(table, column) + ": largest error";
+      if (check.error) checks.push_back({name, worst, *check.error});
+      if (check.least_error)
+        checks.push_back({name, worst, *check.least_error, CheckResult::Sense::at_least});
+    }
+  return checks;
+}
+
+std::string table_csv(const DifferenceTable& table) {
+  std::string text = "h,scheme,quantity,value,exact,error\n";
+  for (const DifferenceColumn& column : table.columns)
+    for (std::size_t row = 0; row < table.h.size(); ++row)
+      fmt::format_to(std::back_inserter(text), "{:.17g},{},{},{:.17g},{:.17g},{:.17g}\n",
+                     table.h[row], column.scheme, column.quantity, column.values[row],
+                     exact_of(table, column).values[row], column.errors[row]);
+  return text;
+}
+
+std::string table_text(const DifferenceTable& table) {
+  std::vector<std::vector<std::string>> rows{heads(table)};
+  for (std::size_t row = 0; row < table.h.size(); ++row) rows.push_back(cells(table, row));
+  std::string text;
+  for (const auto& row : rows)
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      std::size_t width = 0;
+      for (const auto& other : rows) width = std::max(width, other[k].size());
+      fmt::format_to(std::back_inserter(text), "{:>{}}{}", row[k], width,
+                     k + 1 == row.size() ? "\n" : "  ");
+    }
+  return text;
+}
+
+std::string table_markdown(const DifferenceTableFile& file, const DifferenceTable& table) {
+  const auto checks = table_checks(file, table);
+  const bool passed = std::ranges::all_of(checks, &CheckResult::passed);
+  const std::vector<std::string> head = heads(table);
+  std::string text = fmt::format(
+      "# {}\n\n{}\n\n{}\n{}\n\n| {} |\n|{}\n", file.name,
+      checks.empty() ? "The study states no check."
+      : passed       ? "**Passed: every check holds.**"
+                     : "**A check failed.**",
+      checks_markdown(checks),
+      has_one_quantity(table)
+          ? "Values, and in brackets how many of their digits agree with the exact ones."
+          : "Errors of matrices, relative to the exact ones, in the Frobenius norm.",
+      fmt::join(head, " | "), fmt::join(std::vector<std::string>(head.size(), "---|"), ""));
+  for (std::size_t row = 0; row < table.h.size(); ++row)
+    fmt::format_to(std::back_inserter(text), "| {} |\n", fmt::join(cells(table, row), " | "));
+  return text +
+         "\nThe study with every default is in `study.yaml`, the numbers are in `study.csv`.\n";
+}
+
+}  // namespace mote
