@@ -8,6 +8,7 @@
 
 #include "mote/neighbours/neighbours.hpp"
 #include "mote/neighbours/pair_order.hpp"
+#include "mote/operators/terms/any_fluid_terms.hpp"
 #include "mote/operators/terms/pair_lines.hpp"
 
 namespace mote {
@@ -70,12 +71,6 @@ struct FluidSpread {
   Vec<D> crowding = Vec<D>::Zero();  ///< sum V_j (1 + ...) grad W: points to where they crowd
   Mat<D> velocity = Mat<D>::Zero();  ///< sum V_j (u_j - u_i) (grad W)^T
   Vec<D> density = Vec<D>::Zero();   ///< sum V_j (rho_j - rho_i) grad W
-};
-
-/// Pair terms in any dimension.
-class AnyFluidTerms {
- public:
-  virtual ~AnyFluidTerms() = default;
 };
 
 /// The pair terms of a weakly compressible fluid in one pass, with F_ij = W'(r)/r < 0, V = m/rho,

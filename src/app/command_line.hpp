@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mote/catalogue/catalogue.hpp"
+#include "mote/catalogue/entries.hpp"
 
 namespace mote {
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "mote/catalogue/catalogue.hpp"
+#include "mote/catalogue/entries.hpp"
 #include "mote/scenario/scenario.hpp"
 
 namespace mote {

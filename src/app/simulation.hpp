@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mote/app/time_plan.hpp"
-#include "mote/catalogue/catalogue.hpp"
+#include "mote/catalogue/entries.hpp"
 #include "mote/observe/observer.hpp"
 #include "mote/output/certificate.hpp"
 #include "mote/output/snapshot.hpp"

@@ -2,6 +2,7 @@
 
 #include "mote/catalogue/exact.hpp"
 #include "mote/integrators/all.hpp"
+#include "mote/integrators/paths.hpp"
 #include "mote/models/all.hpp"
 
 namespace mote {
@@ -21,6 +22,7 @@ Catalogue standard_catalogue() {
   for_each_family(PlainFamilies{},
                   [&]<template <int> class Family>() { catalogue.add_family<Family>(); });
   for_each_type(Integrators{}, [&]<class Method>() { catalogue.add_integrator<Method>(); });
+  for_each_type(Paths{}, [&]<class Way>() { catalogue.add_path<Way>(); });
   for_each_type(Models{}, [&]<class Recipe>() { catalogue.add_model<Recipe>(); });
   for_each_type(Layouts{}, [&]<class Layout>() { catalogue.add_layout<Layout>(); });
   catalogue.exact_solutions = exact_entries();

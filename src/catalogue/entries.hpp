@@ -105,11 +105,19 @@ struct Catalogue {
 
   template <class Method>
   void add_integrator();
+  template <class Way>
+  void add_path();
   template <class Recipe>
   void add_model();
   template <class Layout>
   void add_layout();
 };
+
+/// A plug-in as a choice.
+template <class Plugin>
+Choice choice_of() {
+  return {std::string(Plugin::name), std::string(Plugin::summary)};
+}
 
 /// The entries of one of the lists above as choices, and the entry that has this name.
 template <class Entry>

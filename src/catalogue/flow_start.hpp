@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "mote/catalogue/catalogue.hpp"
+#include "mote/catalogue/entries.hpp"
 
 namespace mote {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mote/catalogue/catalogue.hpp"
+#include "mote/catalogue/entries.hpp"
 #include "mote/catalogue/flow_start.hpp"
 
 namespace mote {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "mote/operators/differential/differential_operator.hpp"
-#include "mote/operators/terms/fluid_terms.hpp"
+#include "mote/operators/terms/any_fluid_terms.hpp"
 #include "mote/particles/body.hpp"
 
 namespace mote {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "mote/models/space.hpp"
+#include "mote/operators/terms/fluid_terms.hpp"
 
 namespace mote {
 

@@ -131,7 +131,7 @@ void describe_time(Description& d, Scenario::Time& time, const Catalogue& catalo
       {"tolerance",
        "of integrators that choose their steps: error of a step, relative to the largest value "
        "of its kind; default: the integrator's"},
-      time.tolerance, {1e-18, 1});
+      time.tolerance, {1e-15, 1});
   Choices paths{{"none", "steps end at every snapshot"},
                 {"own", "the path that the integrator itself gives between the ends of steps"}};
   for (const PathEntry& path : catalogue.paths) paths.push_back(path);

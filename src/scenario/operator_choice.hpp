@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "mote/catalogue/catalogue.hpp"
+#include "mote/catalogue/entries.hpp"
 #include "mote/options/description.hpp"
 
 namespace mote {

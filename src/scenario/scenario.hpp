@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "mote/catalogue/catalogue.hpp"
+#include "mote/catalogue/entries.hpp"
 #include "mote/options/description.hpp"
 #include "mote/scenario/comparison_section.hpp"
 #include "mote/scenario/document.hpp"

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "mote/catalogue/catalogue.hpp"
+#include "mote/catalogue/entries.hpp"
 
 namespace mote {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "mote/catalogue/catalogue.hpp"
+#include "mote/catalogue/entries.hpp"
 #include "mote/scenario/document.hpp"
 #include "mote/scenario/expression.hpp"
 #include "mote/scenario/operator_choice.hpp"

@@ -1,0 +1,74 @@
+// Snapshots from a path between the ends of steps, which know nothing of them.
+
+#include <nlohmann/json.hpp>
+
+#include "flow_runs.hpp"
+
+namespace mote::test {
+namespace {
+
+struct Way {
+  std::string integrator, dense_output;
+  std::string step;   ///< a line of the section `time`
+  std::string error;  ///< of places at the end, relative, at most
+};
+
+/// Two bodies of eccentricity 0.44 that go round some three times; no step ends near a snapshot.
+std::string pair_of_bodies(const Way& way) {
+  return "name: pair\ndimension: 3\nmodel:\n  type: bodies\n  masses:\n"
+         "    - {mass: 1, position: [-0.25, 0, 0], velocity: [0, -0.75, 0]}\n"
+         "    - {mass: 1, position: [0.25, 0, 0], velocity: [0, 0.75, 0]}\n"
+         "time: {integrator: " +
+         way.integrator + ", dense_output: " + way.dense_output + ", " + way.step +
+         ", end: 2.9}\noutput: {every: 0.725, picture: false}\n"
+         "check: {against: kepler, position: " +
+         way.error + "}\n";
+}
+
+nlohmann::json summary_of(const fs::path& out) {
+  return nlohmann::json::parse(read(out / "summary.json"));
+}
+
+struct DenseOutput : FlowRuns, testing::WithParamInterface<Way> {};
+
+TEST_P(DenseOutput, HasTheSameBitsAfterAResume) {
+  expect_same_bits_after_a_resume(pair_of_bodies(GetParam()), {"1"});
+}
+
+TEST_P(DenseOutput, LeavesStepsAsTheyAre) {
+  const std::string scenario = pair_of_bodies(GetParam());
+  const fs::path few = run(scenario, "few", {"--set", "output.every=2.9"});
+  const fs::path many = run(scenario, "many", {"--set", "output.every=0.05"});
+  EXPECT_EQ(summary_of(few)["steps"], summary_of(many)["steps"]);
+  EXPECT_EQ(summary_of(few)["errors"], summary_of(many)["errors"]);
+}
+
+/// Negative control: without a path steps end at snapshots, and are other ones.
+TEST_P(DenseOutput, IsNeededForThat) {
+  if (GetParam().dense_output == "own" && GetParam().step.starts_with("step")) GTEST_SKIP();
+  const std::string scenario = pair_of_bodies(GetParam());
+  const std::vector<std::string> no_path{"--set", "time.dense_output=none", "--set",
+                                         "check.position=1", "--set"};
+  auto few_words = no_path, many_words = no_path;
+  few_words.push_back("output.every=2.9");
+  many_words.push_back("output.every=0.05");
+  EXPECT_NE(summary_of(run(scenario, "few", few_words))["errors"],
+            summary_of(run(scenario, "many", many_words))["errors"]);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Methods, DenseOutput,
+    testing::Values(Way{"gauss_radau_15", "own", "tolerance: 1e-8", "1e-11"},
+                    Way{"dormand_prince_853", "own", "tolerance: 1e-12", "1e-8"},
+                    Way{"bulirsch_stoer", "own", "tolerance: 1e-13", "1e-9"},
+                    Way{"runge_kutta_nystrom_1210", "three_step_hermite", "tolerance: 1e-12",
+                        "1e-4"},
+                    Way{"runge_kutta_nystrom_86", "two_step_hermite", "tolerance: 1e-12", "1e-6"},
+                    Way{"leapfrog_kdk", "cubic_hermite", "step: 0.0011", "1e-4"},
+                    Way{"runge_kutta_8", "quintic_hermite", "step: 0.011", "1e-6"},
+                    Way{"contevol_1_corrected", "own", "step: 0.011", "1e-4"},
+                    Way{"stoermer_13", "three_step_hermite", "step: 0.011", "1e-7"}),
+    [](const auto& info) { return info.param.integrator; });
+
+}  // namespace
+}  // namespace mote::test
