@@ -6,6 +6,7 @@
 
 #include "damped_swing.hpp"
 #include "mote/app/command_line.hpp"
+#include "mote/catalogue/catalogue.hpp"
 #include "support/program.hpp"
 
 namespace mote::test {

@@ -1,6 +1,7 @@
 // From a scenario to the particles of a model in space.
 
 #include "mote/app/space_setup.hpp"
+#include "mote/catalogue/catalogue.hpp"
 
 #include <gmock/gmock.h>
 

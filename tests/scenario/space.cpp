@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "mote/catalogue/catalogue.hpp"
 #include "mote/scenario/located_error.hpp"
 #include "mote/scenario/scenario.hpp"
 #include "mote/scenario/schema.hpp"
