@@ -139,8 +139,9 @@ void GaussRadau15::start(System& system, double time) {
 void GaussRadau15::resize(std::size_t count) {
   count_ = count;
   last_step_ = next_step_ = predictions_ = 0;
-  for (PackedColumn* column : {&place_, &velocity_, &lost_place_, &lost_velocity_, &start_place_,
-                               &start_velocity_, &start_, &rate_, &moved_, &jerk_, &snap_})
+  for (PackedColumn* column :
+       {&place_, &velocity_, &lost_place_, &lost_velocity_, &start_place_, &start_velocity_,
+        &start_, &rate_, &moved_, &jerk_, &snap_, &crackle_})
     column->resize(count);
   for (Nodes* of_nodes : {&change_, &predicted_, &next_, &foretold_})
     of_nodes->assign(place_.packs(), {});
@@ -234,13 +235,16 @@ Pack GaussRadau15::correct() {
   return largest;
 }
 
-/// The shortest time in which an acceleration changes by itself, from a, a' and a'' at the end of
-/// the step (Pham, Rein & Spiegel 2024): T^2 = 2 a^2/(a'^2 + a a'').
+/// The shortest time in which an acceleration changes by itself, from a and its derivatives at the
+/// end of the step: T^2 = 2 a^2/(a'^2 + a a'') (Pham, Rein & Spiegel 2024), which is 0 where an
+/// acceleration passes through 0, or T^2 = (a a'' + a'^2)/(a''^2 + a' a''') (Aarseth 1985), which
+/// is not: the longer one.
 double GaussRadau15::time_of_change(double step) {
   for (std::size_t p = 0; p < next_.size(); ++p) {
     moved_[p] = start_[p] + sum(to_end, next_[p]);
     jerk_[p] = sum(power_at_end[0], next_[p]);
     snap_[p] = 2 * sum(power_at_end[1], next_[p]);
+    crackle_[p] = 6 * sum(power_at_end[2], next_[p]);
   }
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t first = 0; first < count_; first += dimension_) {
@@ -248,8 +252,10 @@ double GaussRadau15::time_of_change(double step) {
       const double* numbers = column.begin() + first;
       return std::inner_product(numbers, numbers + dimension_, numbers, 0.0);
     };
-    const double a = square(moved_), j = square(jerk_), s = square(snap_);
-    if (a > 0) shortest = std::min(shortest, 2 * a / (j + std::sqrt(s * a)));
+    const double a = square(moved_), j = square(jerk_), s = square(snap_), c = square(crackle_);
+    const double by_acceleration = 2 * a / (j + std::sqrt(a * s));
+    const double by_all = (std::sqrt(a * s) + j) / (s + std::sqrt(j * c));
+    if (a > 0 || j > 0) shortest = std::min(shortest, std::fmax(by_acceleration, by_all));
   }
   return step * std::sqrt(shortest);
 }

@@ -16,8 +16,8 @@ namespace mote {
 /// 185), for x'' = f(t, x), to the limit of rounding as in Rein & Spiegel (2015, MNRAS 446, 1424):
 /// compensated summation of places and velocities, and a prediction of the accelerations from those
 /// of the last step. The length of a step is that of Pham, Rein & Spiegel (2024, Open J. Astrophys.
-/// 7, eqs. 14 to 16): a part of the shortest time in which an acceleration changes, by its first
-/// two derivatives.
+/// 7, eqs. 14 to 16), but where an acceleration passes through 0: a part of the shortest time in
+/// which one changes, by its derivatives.
 ///
 /// The accelerations at the nodes are found in sweeps over the nodes, until what a further sweep
 /// would change is next to nothing: judged by how much smaller each correction is than the last
@@ -81,7 +81,7 @@ class GaussRadau15 final : public Integrator {
   Nodes change_;     ///< of the acceleration from the start of the last step to its nodes
   Nodes predicted_;  ///< the same as the step before it foretold
 
-  PackedColumn rate_, moved_, jerk_, snap_;  ///< work
+  PackedColumn rate_, moved_, jerk_, snap_, crackle_;  ///< work
   Nodes next_, foretold_;                    ///< of the step that is being taken
 };
 
