@@ -123,13 +123,14 @@ bool RunLoop::wants_row(std::int64_t frame, double before, const Moment& after) 
          wants_row_between(frame, before, after);
 }
 
-/// Every so many steps have a row, or those that pass a tenth of the way to a frame.
+/// Every so many steps have a row, or those that pass a tenth of the way from frame to frame.
 bool RunLoop::wants_row_between(std::int64_t frame, double before, const Moment& after) const {
   const TimePlan& plan = simulation_.plan();
   const double target = plan.time_of_frame(frame);
   const std::int64_t every = simulation_.scenario().output.history;
   if (every > 0) return after.time != target && after.step % every == 0;
-  return after.time < target && plan.passes_tenth(frame, before, after.time);
+  const bool is_between = before >= plan.time_of_frame(frame - 1) && after.time < target;
+  return is_between && plan.passes_tenth(frame, before, after.time);
 }
 
 std::string RunLoop::failure_message(const NumericalFailure& broken) const {

@@ -79,6 +79,11 @@ void refuse_paths_that_there_are_not(const Scenario& scenario, const Integrator&
                      fmt::format("the state of the model {} is more than values on a path, so its "
                                  "steps have to end at snapshots",
                                  scenario.model_type));
+  if (path != "none" && path != "own" && !model.falls_freely())
+    throw InputError("time.dense_output",
+                     fmt::format("{} needs accelerations that depend on time and places alone, "
+                                 "which the model {} has not",
+                                 path, scenario.model_type));
   if (path == "own" && !integrator.has_path())
     throw InputError("time.dense_output",
                      fmt::format("{} has no path of its own between the ends of its steps",

@@ -25,6 +25,7 @@ class Tracers final : public Model {
   std::span<const Evolving> drifted() override { return drifted_; }
   std::span<const Evolving> kicked() override { return {}; }
   bool drifts_freely() const override { return false; }
+  bool has_paths() const override { return !steps_itself(); }
   void prepare(double /*time*/) override {}
   void update_drift_rates(double time) override;
   void update_kick_rates(double /*time*/) override {}

@@ -47,6 +47,7 @@ class TracersRecipe final : public ModelRecipe {
   TracersOptions options;
 
   bool lives_on_a_line() const override { return false; }
+  bool needs_operator() const override { return false; }
   bool step_suffices() const override { return true; }
   void describe(Description& description) override { options.describe(description); }
   std::vector<InitialField> initial_fields(int /*dimension*/) const override { return {}; }

@@ -1,6 +1,7 @@
 // Snapshots from a path between the ends of steps, which know nothing of them.
 
 #include <nlohmann/json.hpp>
+#include <ostream>
 
 #include "flow_runs.hpp"
 
@@ -11,6 +12,10 @@ struct Way {
   std::string integrator, dense_output;
   std::string step;   ///< a line of the section `time`
   std::string error;  ///< of places at the end, relative, at most
+
+  friend std::ostream& operator<<(std::ostream& out, const Way& way) {
+    return out << way.integrator << ", " << way.dense_output;
+  }
 };
 
 /// Two bodies of eccentricity 0.44 that go round some three times; no step ends near a snapshot.
