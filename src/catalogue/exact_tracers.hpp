@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "mote/catalogue/catalogue.hpp"
+#include "mote/catalogue/entries.hpp"
 
 namespace mote {
 
