@@ -69,10 +69,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Way{"runge_kutta_nystrom_1210", "three_step_hermite", "tolerance: 1e-12",
                         "1e-4"},
                     Way{"runge_kutta_nystrom_86", "two_step_hermite", "tolerance: 1e-12", "1e-6"},
-                    Way{"leapfrog_kdk", "cubic_hermite", "step: 0.0011", "1e-4"},
+                    Way{"leapfrog_kdk", "cubic_hermite", "step: 0.0004", "1e-4"},
                     Way{"runge_kutta_8", "quintic_hermite", "step: 0.011", "1e-6"},
                     Way{"contevol_1_corrected", "own", "step: 0.011", "1e-4"},
-                    Way{"stoermer_13", "three_step_hermite", "step: 0.011", "1e-7"}),
+                    Way{"stoermer_13", "three_step_hermite", "step: 0.0055", "1e-7"}),
     [](const auto& info) { return info.param.integrator; });
 
 }  // namespace
