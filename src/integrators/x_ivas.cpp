@@ -8,15 +8,9 @@
 namespace mote {
 namespace {
 
-void form_rates(System& system, double time, double step) {
-  if (!system.predicts() || !system.rates_are_current()) {
-    system.prepare(time);
-    system.update_kick_rates(time);
-  }
-  if (system.predicts()) {
-    system.prepare(time);
-    system.update_rates_ahead(time, step / 2);
-  }
+void form_rates(System& system, double time) {
+  system.prepare(time);
+  system.update_kick_rates(time);
   system.update_drift_rates(time);
 }
 
@@ -47,33 +41,36 @@ std::string XIvas::missing_in(System& system) const {
 }
 
 void XIvas::advance_one_step(System& system, double time, double step) {
-  form_rates(system, time, step);
+  form_rates(system, time);
   if (system.dimension() == 2)
     go_along_streamlines<2>(system, step);
   else
     go_along_streamlines<3>(system, step);
+  if (system.drifted().size() == 1 && system.kicked().size() == 1) return;
+  form_rates(system, time + step);
+  Accumulator::advance_plainly(system.drifted().subspan(1), step);
+  Accumulator::advance_plainly(system.kicked().subspan(1), step);
 }
 
 template <int D>
 void XIvas::go_along_streamlines(System& system, double step) {
-  std::vector<Evolving> drifted(system.drifted().begin(), system.drifted().end());
-  std::vector<Evolving> kicked(system.kicked().begin(), system.kicked().end());
-  std::vector<double> velocity(drifted[0].rate.begin(), drifted[0].rate.end());
-  std::vector<double> acceleration(kicked[0].rate.begin(), kicked[0].rate.end());
+  Evolving places = system.drifted().front(), speeds = system.kicked().front();
+  std::vector<double> velocity(places.rate.begin(), places.rate.end());
+  std::vector<double> acceleration(speeds.rate.begin(), speeds.rate.end());
   if (const auto flow = flow_in<D>(system); !flow.empty()) {
-    const ParticleFields<D> fields({picked<D>(drifted[0].value, flow), picked<D>(velocity, flow),
-                                    picked<D>(acceleration, flow)},
-                                   system.periods(), step);
+    const ParticleFields<D> fields(
+        {picked<D>(places.value, flow), picked<D>(velocity, flow), picked<D>(acceleration, flow)},
+        system.periods(), step);
     const auto motions = fields.mean_motions();
     for (std::size_t k = 0; k < flow.size(); ++k) {
       Vec<D>::Map(&velocity[flow[k]]) = motions[k].velocity;
       Vec<D>::Map(&acceleration[flow[k]]) = motions[k].acceleration;
     }
   }
-  drifted[0].rate = velocity;
-  kicked[0].rate = acceleration;
-  drift(system, drifted, step);
-  kick(system, kicked, step);
+  places.rate = velocity;
+  speeds.rate = acceleration;
+  drift(system, {&places, 1}, step);
+  kick(system, {&speeds, 1}, step);
 }
 
 }  // namespace mote

@@ -18,9 +18,9 @@ namespace mote {
 /// So the order is 1, but steady flows are followed exactly up to the projection, and where they
 /// are linear for steps of any length.
 ///
-/// Kick rates that depend on what is kicked are taken for the middle of the step, as a system that
-/// predicts forms them from its last ones: frozen, the play of pressure and density would swing up.
-/// What else drifts or is kicked, densities, moves by its rate.
+/// What else drifts or is kicked, densities, moves by its rate at the end of the step, which a
+/// second evaluation forms: so velocities and densities take turns as in symplectic Euler. With
+/// both frozen at the start, sound would swell as in forward Euler.
 class XIvas final : public Integrator {
  public:
   static constexpr std::string_view name = "x_ivas";

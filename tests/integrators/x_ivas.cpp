@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "ladder.hpp"
+#include "mote/integrators/forward_euler.hpp"
 #include "mote/particles/failure.hpp"
 #include "mote/particles/random.hpp"
 #include "mote/particles/vector.hpp"
@@ -249,6 +250,49 @@ double deflection(double step) {
 TEST(XIvas, KeepsWhatTheMeshDoesNotSee) {
   EXPECT_LT(deflection(1e-4), 1e-3);
   EXPECT_NEAR(deflection(1e-4) / deflection(1e-5), 10, 0.5);
+}
+
+/// Velocities and densities that drive each other, u' = -r and r' = u: sound of one wave number.
+class Sound final : public System {
+ public:
+  Sound() = default;
+  Sound(const Sound&) = delete;
+  Sound& operator=(const Sound&) = delete;
+
+  std::span<const Evolving> drifted() override { return drifted_; }
+  std::span<const Evolving> kicked() override { return kicked_; }
+  bool drifts_freely() const override { return true; }
+  int dimension() const override { return 2; }
+  void prepare(double) override {}
+  void update_drift_rates(double) override {}
+  void update_kick_rates(double) override {
+    for (std::size_t n = 0; n < 2; ++n) {
+      acceleration_[2 * n] = -density_[n];
+      density_rate_[n] = velocity_[2 * n];
+    }
+  }
+  double energy() const { return std::pow(velocity_[0], 2) + std::pow(density_[0], 2); }
+
+ private:
+  std::array<double, 4> position_{0, 0, 1, 0.5}, velocity_{1, 0, 1, 0}, acceleration_{};
+  std::array<double, 2> density_{}, density_rate_{};
+  std::array<Evolving, 1> drifted_{{{position_, velocity_}}};
+  std::array<Evolving, 2> kicked_{{{velocity_, acceleration_}, {density_, density_rate_}}};
+};
+
+template <class Method>
+double energy_after_a_thousand_steps() {
+  Sound sound;
+  Method method;
+  for (int n = 0; n < 1000; ++n) method.advance_one_step(sound, 0.2 * n, 0.2);
+  return sound.energy();
+}
+
+/// Taking turns keeps u^2 + r^2 - h u r, so that u^2 + r^2 stays within 1/(1 + h/2) and 1/(1 -
+/// h/2).
+TEST(XIvas, LetsSoundNeitherSwellNorFade) {
+  EXPECT_NEAR(energy_after_a_thousand_steps<XIvas>(), 1, 0.112);
+  EXPECT_GT(energy_after_a_thousand_steps<ForwardEuler>(), 1e10);
 }
 
 TEST(XIvas, LetsWallsGoStraightAndTheFlowAlone) {
