@@ -13,10 +13,10 @@ namespace mote {
 /// by the acceleration along the same way, both in closed form, from cell to cell. For systems in
 /// two or three dimensions; particles of walls go straight on, as their motion is given.
 ///
-/// The velocity of a particle changes at the rate a, at a fixed place u_t = a - (u grad) u. Frozen
-/// fields lack the latter: in a step h, places are off by h^2/2 u_t and velocities by h^2/2 a_t.
-/// So the order is 1, but steady flows are followed exactly up to the projection, and where they
-/// are linear for steps of any length.
+/// The velocity of a particle changes at the rate a, that at a fixed place at u_t = a - (u grad) u.
+/// Frozen fields have no u_t and a_t: in a step h, places are off by h^2/2 u_t and velocities by
+/// h^2/2 a_t. So the order is 1. But steady flows are followed exactly up to the projection, and
+/// where they are linear for steps of any length, as long as the way is on the mesh.
 ///
 /// What else drifts or is kicked, densities, moves by its rate at the end of the step, which a
 /// second evaluation forms: so velocities and densities take turns as in symplectic Euler. With
