@@ -18,6 +18,7 @@
 #include "mote/integrators/symplectic_euler.hpp"
 #include "mote/integrators/velocity_verlet.hpp"
 #include "mote/integrators/wisdom_holman.hpp"
+#include "mote/integrators/x_ivas.hpp"
 #include "mote/options/type_list.hpp"
 
 namespace mote {
@@ -28,6 +29,6 @@ using Integrators =
              PredictorCorrector, Heun, RungeKutta4, RungeKutta8, DormandPrince853,
              RungeKuttaNystrom86, RungeKuttaNystrom1210, GaussRadau15, BulirschStoer, Stoermer13,
              WisdomHolman, ContEvol1, ContEvol1Corrected, ContEvol2Direct, ContEvol2DirectCorrected,
-             ContEvol2Indirect, ContEvol2IndirectCorrected>;
+             ContEvol2Indirect, ContEvol2IndirectCorrected, XIvas>;
 
 }  // namespace mote

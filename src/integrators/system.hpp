@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -65,6 +67,13 @@ class System {
   /// Numbers a place in space, where the first part of what drifts is places and the first part of
   /// what is kicked their velocities; else 0.
   virtual int dimension() const { return 0; }
+
+  /// Along every axis the length after which these places come again; 0 where space is not
+  /// periodic.
+  virtual std::array<double, 3> periods() const { return {}; }
+
+  /// Which of these places are of walls, whose motion is given: not 0 for those. Empty if none is.
+  virtual std::span<const std::uint8_t> walls() const { return {}; }
 
   /// The masses at these places, where their gravity is all there is and none of them is spread.
   virtual std::optional<PointMasses> point_masses() const { return std::nullopt; }

@@ -152,6 +152,14 @@ const WallPlace& WeaklyCompressible<D>::place_of(Index i) const {
 }
 
 template <int D>
+Triple WeaklyCompressible<D>::periods() const {
+  Triple periods{};
+  for (std::size_t d = 0; d < D; ++d)
+    if (start_.periodic[d]) periods[d] = start_.upper[d] - start_.lower[d];
+  return periods;
+}
+
+template <int D>
 void WeaklyCompressible<D>::prepare(double) {
   rates_are_current_ = false;
 }

@@ -41,6 +41,9 @@ class WeaklyCompressible final : public Model {
   std::span<const Evolving> drifted() override { return drifted_; }
   std::span<const Evolving> kicked() override { return kicked_; }
   bool drifts_freely() const override { return true; }
+  int dimension() const override { return D; }
+  Triple periods() const override;
+  std::span<const std::uint8_t> walls() const override { return idle_; }
   void prepare(double time) override;
   void update_drift_rates(double) override {}
   void update_kick_rates(double time) override { update_rates_ahead(time, 0); }

@@ -42,7 +42,7 @@ void Projection<D>::weigh_for_means() {
 template <int D>
 void Projection<D>::weigh_for_fits(std::span<const double> positions) {
   using Vector = Eigen::Matrix<double, D + 1, 1>;
-  constexpr double singular = 1e-9;
+  constexpr double singular = 1e-2;  // a spread of a tenth of the reach: beyond, noise grows
   std::vector<Vector> monomials;
   for (Index point = 0; point < mesh_.point_count(); ++point) {
     auto& shares = shares_[static_cast<std::size_t>(point)];

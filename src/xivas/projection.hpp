@@ -16,9 +16,9 @@ enum class ProjectionKind {
 
 /// Carries vectors over from particles to the points of a mesh.
 ///
-/// A point whose particles fix no linear function (too few, or in one plane) takes their mean, and
-/// one without particles the mean of the points that share a cell with it and have a value:
-/// `without_fit` and `without_particles` count them.
+/// A point whose particles fix no linear function well (too few, or nearly in one plane) takes
+/// their mean, and one without particles the mean of the points that share a cell with it and have
+/// a value: `without_fit` and `without_particles` count them.
 template <int D>
 class Projection {
  public:

@@ -47,12 +47,19 @@ void refuse_endless_walk(Index crossings, const SimplexMesh<D>& mesh) {
 }  // namespace
 
 template <int D>
-Passage<D> Streamlines<D>::follow(const Vec<D>& from, Index cell, double time) const {
-  Passage<D> at{.position = from, .cell = cell};
+Vec<D> Streamlines<D>::acceleration(const Passage<D>& at) const {
+  if (!acceleration_) return at.own.acceleration;
+  return acceleration_->value(at.cell, at.position) + at.own.acceleration;
+}
+
+template <int D>
+Passage<D> Streamlines<D>::follow(const Vec<D>& from, Index cell, double time,
+                                  const OwnMotion<D>& own) const {
+  Passage<D> at{.position = from, .cell = cell, .own = own};
   Index standing = 0;  // crossings since time went on: at an edge or a corner
   while (!at.left && at.time < time) {
     const Mat<D> gradient = velocity_.gradient(at.cell);
-    const Vec<D> velocity = velocity_.value(at.cell, at.position);
+    const Vec<D> velocity = this->velocity(at);
     refuse_what_is_not_finite<D>(gradient, velocity);
     const double remaining = time - at.time;
     if (stays(gradient, velocity, at, remaining)) {
@@ -116,9 +123,8 @@ void Streamlines<D>::go_on(const Mat<D>& gradient, const Vec<D>& velocity, doubl
 
 template <int D>
 void Streamlines<D>::add_gain(double time, const Vec<D>& integral, Passage<D>& at) const {
-  if (!acceleration_) return;
-  at.gain += time * acceleration_->value(at.cell, at.position) +
-             acceleration_->gradient(at.cell) * integral;
+  at.gain += time * acceleration(at);
+  if (acceleration_) at.gain += acceleration_->gradient(at.cell) * integral;
 }
 
 template <int D>

@@ -6,6 +6,12 @@
 
 namespace mote {
 
+/// What a material point has beside the fields on the mesh and keeps on its way.
+template <int D>
+struct OwnMotion {
+  Vec<D> velocity = Vec<D>::Zero(), acceleration = Vec<D>::Zero();
+};
+
 /// A material point on its way through a mesh.
 template <int D>
 struct Passage {
@@ -16,6 +22,7 @@ struct Passage {
   Vec<D> outward = Vec<D>::Zero();  ///< normal of the hull where it left
   int crossings = 0;                ///< of faces
   Vec<D> gain = Vec<D>::Zero();     ///< the second field, integrated along its way
+  OwnMotion<D> own = {};
 };
 
 /// Streamlines of a piecewise linear velocity, followed exactly from cell to cell: Nadukandi 2014,
@@ -35,9 +42,16 @@ class Streamlines {
 
   const NodalField<D>& velocity() const { return velocity_; }
 
+  /// The velocity of a point where it is, and its acceleration; a field that is missing is 0.
+  Vec<D> velocity(const Passage<D>& at) const {
+    return velocity_.value(at.cell, at.position) + at.own.velocity;
+  }
+  Vec<D> acceleration(const Passage<D>& at) const;
+
   /// Where a point in this cell is after so much time, or where and when it left the mesh. Throws
   /// NumericalFailure for values that are not finite.
-  Passage<D> follow(const Vec<D>& from, Index cell, double time) const;
+  Passage<D> follow(const Vec<D>& from, Index cell, double time,
+                    const OwnMotion<D>& own = {}) const;
 
   /// The largest part of the height of a cell that its velocities go through in so much time: the
   /// Courant number of a step on this mesh.

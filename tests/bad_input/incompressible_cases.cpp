@@ -40,6 +40,9 @@ TEST_P(FluidThatCannotBe, IsRefused) { expect_refused(); }
 const std::vector<ScenarioCase> fluids{
     {"no_surface_and_no_mean_pressure", model("free_surface: @false"),
      "without a free surface nothing fixes the level of the pressure: 'mean_pressure' is needed"},
+    {"streamlines_of_its_own_steps",
+     fluid({{9, "time: {integrator: @x_ivas, courant: 0.2, end: 0.02}"}}),
+     "the model incompressible makes its own steps, and no integrator"},
     {"mean_pressure_at_a_surface", model("mean_pressure: @5"),
      "at a free surface the pressure is 0, so 'mean_pressure' cannot be given"},
     {"surface_that_is_not_there", full_box("density: 1"),

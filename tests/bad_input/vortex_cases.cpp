@@ -63,6 +63,9 @@ const std::vector<ScenarioCase> vortices{
      "'position' needs 2 numbers, one a dimension, and has 3"},
     {"free_stream_of_one_formula", model("free_stream: @[\"1\"]"),
      "'free_stream' needs 2 formulas, one a dimension, and has 1"},
+    {"streamlines_of_vortices", vortex({{8, "time: {integrator: @x_ivas, step: 0.1, end: 0.2}"}}),
+     "x_ivas does not suit the model vortex as it is set up: it needs places in two or three "
+     "dimensions whose velocities it moves, too"},
     {"no_vortex", vortex({{6, "initial: {vorticity: @\"0\"}"}}),
      "there is no vortex: neither has 'initial' a vorticity, nor the model 'vortices'"},
     {"net_circulation_in_a_box",

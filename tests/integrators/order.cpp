@@ -61,6 +61,8 @@ template <>
 constexpr std::string_view tested_in<WisdomHolman> = "integrators/wisdom_holman.cpp";
 template <>
 constexpr std::string_view tested_in<Stoermer13> = "integrators/stoermer_13.cpp";
+template <>
+constexpr std::string_view tested_in<XIvas> = "integrators/x_ivas.cpp";
 
 template <class Method>
 constexpr int order_for_linear_equations = Method::order;
