@@ -89,8 +89,8 @@ std::string table_markdown(const InterpolationStudy& study, const InterpolationT
   const char* about =
       "Hermite interpolation of the Kepler problem over one period, between exact nodes that "
       "divide "
-      "it into equal sub-intervals. An error is the largest at the tenths of all sub-intervals: of "
-      "position in units of the semi-major axis a / of velocity in units of √(μ/a).";
+      "it into equal sub-intervals. Errors are the largest at the tenths of all sub-intervals, of "
+      "position / of velocity, in units of the semi-major axis a and of √(μ/a).";
   return report_beginning(study.name, about, table_checks(study, table), pictures) +
          joined(table,
                 [](int sub_intervals, const TableRows& rows) {
