@@ -18,7 +18,7 @@ def read_heading(folder):
     return folder.resolve().name, "none"
 
 
-def read_errors(folder):
+def read_rows(folder):
     """The rows of study.csv; none for a study that ended at the check-up of its points."""
     path = folder / "study.csv"
     if not path.exists() and not (folder / "check_up.csv").exists():
@@ -26,10 +26,13 @@ def read_errors(folder):
     if not path.exists():
         return []
     with path.open(encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    for row in rows:
-        row["resolution"], row["error"] = int(row["resolution"]), float(row["error"])
-    return rows
+        return list(csv.DictReader(file))
+
+
+def with_numbers(rows):
+    """Rows of a study of operators with numbers for what are numbers."""
+    return [{**row, "resolution": int(row["resolution"]), "error": float(row["error"])}
+            for row in rows]
 
 
 def read_points(path, starts, wanted):

@@ -13,6 +13,7 @@
 #include "mote/output/picture.hpp"
 #include "mote/scenario/located_error.hpp"
 #include "mote/study/difference_table.hpp"
+#include "mote/study/interpolation_study.hpp"
 #include "mote/study/study_file.hpp"
 #include "mote/study/study_tables.hpp"
 
@@ -67,15 +68,17 @@ void print_errors(const StudyResult& result) {
                row.error, row.order ? fmt::format("{:.2f}", *row.order) : "");
 }
 
-int tabulate_differences(const Document& document, const RunOptions& options) {
-  DifferenceTableFile file = read_difference_table(document);
+/// A study that needs no points.
+template <class File>
+int tabulate(File file, const RunOptions& options) {
   const fs::path folder = output_folder(options, file.name);
   const ClaimedFolder claimed(folder, options.overwrite ? Existing::replace : Existing::refuse,
                               study_folder);
-  const DifferenceTable table = evaluated(file);
+  const auto table = evaluated(file);
   begin(claimed, folder, resolved_yaml(file));
   write_file(folder / "study.csv", table_csv(table));
-  write_file(folder / "study.md", table_markdown(file, table));
+  const auto pictures = file.picture ? draw(folder) : std::vector<std::string>{};
+  write_file(folder / "study.md", table_markdown(file, table, pictures));
   const auto checks = table_checks(file, table);
   if (!options.quiet)
     fmt::print("{}{}report:  {}\n", table_text(table), checks_text(checks),
@@ -89,9 +92,11 @@ int study(const Catalogue& catalogue, const RunOptions& options) {
   const Document document = read_document(options);
   if (!is_study(document) && document.root().find("model") != nullptr)
     throw LocatedError(options.file, "this is a scenario and not a study: mote run runs it");
-  if (is_difference_table(document)) return tabulate_differences(document, options);
-  StudyFile file = read_study(document, catalogue);
   if (options.threads > 0) omp_set_num_threads(options.threads);
+  if (is_difference_table(document)) return tabulate(read_difference_table(document), options);
+  if (is_interpolation_study(document))
+    return tabulate(read_interpolation_study(document), options);
+  StudyFile file = read_study(document, catalogue);
   const auto start = std::chrono::steady_clock::now();
 
   const fs::path folder = output_folder(options, file.name);

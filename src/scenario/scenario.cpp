@@ -1,7 +1,6 @@
 #include "mote/scenario/scenario.hpp"
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <cmath>
@@ -110,17 +109,13 @@ void fill_defaults(Scenario& scenario, const Catalogue& catalogue) {
 
 enum class Record { without, with };
 
-std::string yaml_of(Scenario& scenario, const Catalogue& catalogue, Record record) {
-  YAML::Emitter out;
-  out << YAML::BeginMap;
-  Writer writer(out);
-  describe(writer, scenario, catalogue);
-  if (record == Record::with) {
-    if (!scenario.compare.empty()) describe_comparison(writer, scenario.compare);
-    describe_record(writer, scenario);
-  }
-  out << YAML::EndMap;
-  return std::string(out.c_str()) + "\n";
+std::string text_of(Scenario& scenario, const Catalogue& catalogue, Record record) {
+  return yaml_of([&](Description& d) {
+    describe(d, scenario, catalogue);
+    if (record == Record::without) return;
+    if (!scenario.compare.empty()) describe_comparison(d, scenario.compare);
+    describe_record(d, scenario);
+  });
 }
 
 }  // namespace
@@ -150,13 +145,13 @@ Scenario read_scenario(const Document& document, const Catalogue& catalogue) {
 
 std::string resolved_yaml(Scenario& scenario, const Catalogue& catalogue) {
   scenario.written_by = version;
-  return yaml_of(scenario, catalogue, Record::with);
+  return text_of(scenario, catalogue, Record::with);
 }
 
 std::string fingerprint(Scenario& scenario, const Catalogue& catalogue) {
   // FNV-1a, 64 bits: tells files apart, protects against nothing.
   std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const unsigned char c : yaml_of(scenario, catalogue, Record::without))
+  for (const unsigned char c : text_of(scenario, catalogue, Record::without))
     hash = (hash ^ c) * 0x100000001b3u;
   return fmt::format("{:016x}", hash);
 }

@@ -101,4 +101,13 @@ void Writer::paths(const Key& key, std::vector<PathValues>& paths, Values values
   });
 }
 
+std::string yaml_of(const std::function<void(Description&)>& describe_all) {
+  YAML::Emitter out;
+  out << YAML::BeginMap;
+  Writer writer(out);
+  describe_all(writer);
+  out << YAML::EndMap;
+  return std::string(out.c_str()) + "\n";
+}
+
 }  // namespace mote

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "mote/options/description.hpp"
@@ -39,5 +40,8 @@ class Writer final : public Description {
 
   YAML::Emitter& out_;
 };
+
+/// A file that `describe_all` describes, as YAML with every default.
+std::string yaml_of(const std::function<void(Description&)>& describe_all);
 
 }  // namespace mote

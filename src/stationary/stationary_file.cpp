@@ -1,7 +1,6 @@
 #include "mote/stationary/stationary_file.hpp"
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <cmath>
 
@@ -126,12 +125,7 @@ StationaryFile read_stationary(const Document& document) {
 }
 
 std::string resolved_yaml(StationaryFile& file) {
-  YAML::Emitter out;
-  out << YAML::BeginMap;
-  Writer writer(out);
-  describe(writer, file);
-  out << YAML::EndMap;
-  return std::string(out.c_str()) + "\n";
+  return yaml_of([&](Description& d) { describe(d, file); });
 }
 
 std::string stationary_schema() {

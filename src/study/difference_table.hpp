@@ -1,11 +1,10 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "mote/output/certificate.hpp"
 #include "mote/scenario/document.hpp"
+#include "mote/study/error_limits.hpp"
 
 namespace mote {
 
@@ -18,13 +17,14 @@ struct DifferenceTableFile {
   std::int64_t decades = 15;         ///< rows: h = 1/10, 1/100, ...
   std::vector<std::string> schemes;  ///< columns
 
-  /// What the errors of a scheme must hold in all rows: of P, Q or R if the table has these.
+  /// What the relative errors of a scheme must hold: of P, Q or R if the table has these.
   struct Check {
     std::string scheme, quantity;
-    std::optional<double> error;        ///< at most, in every row
-    std::optional<double> least_error;  ///< at least, in some row
+    ErrorLimits limits;
   };
   std::vector<Check> checks;
+
+  static constexpr bool picture = false;  ///< there is none to draw
 };
 
 /// The relative errors of one quantity by one scheme, and what it is, row by row.
@@ -61,6 +61,7 @@ std::string table_csv(const DifferenceTable& table);
 
 /// The table for a person, in plain text and in study.md.
 std::string table_text(const DifferenceTable& table);
-std::string table_markdown(const DifferenceTableFile& file, const DifferenceTable& table);
+std::string table_markdown(const DifferenceTableFile& file, const DifferenceTable& table,
+                           const std::vector<std::string>& pictures);
 
 }  // namespace mote

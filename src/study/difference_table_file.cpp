@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include "mote/scenario/folder_name.hpp"
 #include "mote/scenario/located_error.hpp"
@@ -37,8 +36,7 @@ void describe_check(Description& d, DifferenceTableFile::Check& check, const std
   if (has_matrices(table))
     d.choice({"quantity", "which matrix; default: all"}, check.quantity,
              {{"P", "e^A"}, {"Q", "the integral of P"}, {"R", "the integral of Q"}});
-  d.number({"error", "relative, at most, in every row"}, check.error, positive);
-  d.number({"least_error", "relative, at least, in some row"}, check.least_error, positive);
+  check.limits.describe(d);
 }
 
 void describe(Description& d, DifferenceTableFile& file) {
@@ -68,20 +66,17 @@ DifferenceTableFile read_difference_table(const Document& document) {
   if (!problem.empty()) throw LocatedError(document.locate("name"), problem);
   if (file.schemes.empty())
     for (const Choice& scheme : schemes_of(file.table)) file.schemes.push_back(scheme.name);
-  for (std::size_t k = 0; k < file.checks.size(); ++k)
+  for (std::size_t k = 0; k < file.checks.size(); ++k) {
     if (std::ranges::find(file.schemes, file.checks[k].scheme) == file.schemes.end())
       throw LocatedError(document.locate(fmt::format("check.{}.scheme", k)),
                          fmt::format("the table has no column '{}'", file.checks[k].scheme));
+    file.checks[k].limits.refuse_senseless(document.locate(fmt::format("check.{}", k)));
+  }
   return file;
 }
 
 std::string resolved_yaml(DifferenceTableFile& file) {
-  YAML::Emitter out;
-  out << YAML::BeginMap;
-  Writer writer(out);
-  describe(writer, file);
-  out << YAML::EndMap;
-  return std::string(out.c_str()) + "\n";
+  return yaml_of([&](Description& d) { describe(d, file); });
 }
 
 std::string difference_table_schema() {

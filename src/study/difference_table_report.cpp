@@ -1,11 +1,11 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
 #include "mote/study/difference_table.hpp"
+#include "mote/study/report_parts.hpp"
 
 namespace mote {
 namespace {
@@ -44,6 +44,12 @@ std::vector<std::string> cells(const DifferenceTable& table, std::size_t row) {
   return cells;
 }
 
+TableRows rows_of(const DifferenceTable& table) {
+  TableRows rows{heads(table)};
+  for (std::size_t row = 0; row < table.h.size(); ++row) rows.push_back(cells(table, row));
+  return rows;
+}
+
 std::string name_of(const DifferenceTable& table, const DifferenceColumn& column) {
   return has_one_quantity(table) ? column.scheme
                                  : fmt::format("{} by {}", column.quantity, column.scheme);
@@ -59,10 +65,7 @@ std::vector<CheckResult> table_checks(const DifferenceTableFile& file,
       if (column.scheme != check.scheme) continue;
       if (!check.quantity.empty() && column.quantity != check.quantity) continue;
       const double worst = std::ranges::max(column.errors);
-      const std::string name = name_of(table, column) + ": largest error";
-      if (check.error) checks.push_back({name, worst, *check.error});
-      if (check.least_error)
-        checks.push_back({name, worst, *check.least_error, CheckResult::Sense::at_least});
+      check.limits.judge(name_of(table, column) + ": largest error", worst, checks);
     }
   return checks;
 }
@@ -77,38 +80,16 @@ std::string table_csv(const DifferenceTable& table) {
   return text;
 }
 
-std::string table_text(const DifferenceTable& table) {
-  std::vector<std::vector<std::string>> rows{heads(table)};
-  for (std::size_t row = 0; row < table.h.size(); ++row) rows.push_back(cells(table, row));
-  std::string text;
-  for (const auto& row : rows)
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      std::size_t width = 0;
-      for (const auto& other : rows) width = std::max(width, other[k].size());
-      fmt::format_to(std::back_inserter(text), "{:>{}}{}", row[k], width,
-                     k + 1 == row.size() ? "\n" : "  ");
-    }
-  return text;
-}
+std::string table_text(const DifferenceTable& table) { return aligned_table(rows_of(table)); }
 
-std::string table_markdown(const DifferenceTableFile& file, const DifferenceTable& table) {
-  const auto checks = table_checks(file, table);
-  const bool passed = std::ranges::all_of(checks, &CheckResult::passed);
-  const std::vector<std::string> head = heads(table);
-  std::string text = fmt::format(
-      "# {}\n\n{}\n\n{}\n{}\n\n| {} |\n|{}\n", file.name,
-      checks.empty() ? "The study states no check."
-      : passed       ? "**Passed: every check holds.**"
-                     : "**A check failed.**",
-      checks_markdown(checks),
+std::string table_markdown(const DifferenceTableFile& file, const DifferenceTable& table,
+                           const std::vector<std::string>& pictures) {
+  const char* about =
       has_one_quantity(table)
           ? "Values, and in brackets how many of their digits agree with the exact ones."
-          : "Errors of matrices, relative to the exact ones, in the Frobenius norm.",
-      fmt::join(head, " | "), fmt::join(std::vector<std::string>(head.size(), "---|"), ""));
-  for (std::size_t row = 0; row < table.h.size(); ++row)
-    fmt::format_to(std::back_inserter(text), "| {} |\n", fmt::join(cells(table, row), " | "));
-  return text +
-         "\nThe study with every default is in `study.yaml`, the numbers are in `study.csv`.\n";
+          : "Errors of matrices, relative to the exact ones, in the Frobenius norm.";
+  return report_beginning(file.name, about, table_checks(file, table), pictures) + "## Table\n\n" +
+         markdown_table(rows_of(table)) + report_end();
 }
 
 }  // namespace mote

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iterator>
 
+#include "mote/study/report_parts.hpp"
 #include "mote/study/study_tables.hpp"
 
 namespace mote {
@@ -16,14 +16,7 @@ using Out = std::back_insert_iterator<std::string>;
 std::string words(const std::string& mark) { return mark == "not_good" ? "not good" : mark; }
 
 void add_head(Out out, const std::vector<std::string>& columns) {
-  fmt::format_to(out, "| {} |\n|{}\n", fmt::join(columns, " | "),
-                 fmt::join(std::vector<std::string>(columns.size(), "---|"), ""));
-}
-
-std::string verdict(const std::vector<CheckResult>& checks) {
-  if (checks.empty()) return "The study states no check.";
-  return std::ranges::all_of(checks, &CheckResult::passed) ? "**Passed: every check holds.**"
-                                                           : "**A check failed.**";
+  fmt::format_to(out, "{}", markdown_head(columns));
 }
 
 /// The errors of one quantity in one norm, a cell for each layout and resolution across, operators
@@ -135,12 +128,10 @@ void add_check_ups(Out out, const StudyResult& result) {
 
 std::string study_markdown(const StudyFile& study, const StudyResult& result,
                            const std::vector<std::string>& pictures) {
-  std::string text;
+  std::string text =
+      report_beginning(study.name, fmt::format("Field `{}`; units: {}.", study.field, study.units),
+                       study_checks(study, result), pictures);
   const Out out = std::back_inserter(text);
-  const auto checks = study_checks(study, result);
-  fmt::format_to(out, "# {}\n\n{}\n\nField `{}`; units: {}.\n{}\n", study.name, verdict(checks),
-                 study.field, study.units, checks_markdown(checks));
-  for (const std::string& picture : pictures) fmt::format_to(out, "![{0}]({0})\n\n", picture);
   add_marks(out, study, marked_cells(study, result));
   add_check_ups(out, result);
   fmt::format_to(out,
@@ -150,11 +141,8 @@ std::string study_markdown(const StudyFile& study, const StudyResult& result,
   add_all_errors(out, study, result);
   if (!result.remarks.empty()) fmt::format_to(out, "## Remarks\n\n");
   for (const std::string& remark : result.remarks) fmt::format_to(out, "- {}\n", remark);
-  fmt::format_to(out,
-                 "\nThe study with every default is in `study.yaml`, the numbers are in "
-                 "`study.csv`{}.\n",
-                 study.output.points ? ", the values at every point in `points.csv`" : "");
-  return text;
+  return text +
+         report_end(study.output.points ? ", the values at every point in `points.csv`" : "");
 }
 
 }  // namespace mote

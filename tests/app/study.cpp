@@ -269,6 +269,9 @@ TEST(Study, HasASchema) {
   for (const char* key : {"table", "decades", "schemes", "check"})
     EXPECT_NE(schema["anyOf"][1].dump().find('"' + std::string(key) + '"'), std::string::npos)
         << key;
+  const json interpolation = schema["anyOf"][2]["properties"];
+  for (const char* key : {"name", "interpolation", "output", "check"})
+    EXPECT_TRUE(interpolation.contains(key)) << key;
   EXPECT_NE(outcome.output, mote({"schema", "scenario"}).output);
 }
 
@@ -283,6 +286,24 @@ TEST(Study, TabulatesDifferences) {
       mote({"study", file.string(), "--out", out, "--overwrite", "--set", "check=[]"}).exit_code,
       0);
   EXPECT_EQ(mote({"run", file.string()}).exit_code, 2);
+}
+
+TEST(Study, TabulatesInterpolation) {
+  const Place place(
+      "name: t\ninterpolation: {eccentricities: [0.1, 0.5], sub_intervals: [5, 8]}\n"
+      "output: {picture: false}\n"
+      "check: [{path: cubic_hermite, eccentricity: 0.5, sub_intervals: 8, error: 1.0e-9}]\n");
+  const Outcome outcome = place.study();
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("8 sub-intervals"));
+  EXPECT_THAT(outcome.output, HasSubstr("FAILED"));
+  EXPECT_EQ(place.table("out/study.csv").rows.size(), 2u * 2 * 4);
+  EXPECT_THAT(place.file("out/study.md"), HasSubstr("**A check failed.**"));
+  for (const char* threads : {"1", "2", "4"}) {
+    EXPECT_EQ(place.study({"--set", "check=[]", "--threads", threads}, threads).exit_code, 0);
+    EXPECT_EQ(place.file(std::string(threads) + "/study.csv"), place.file("out/study.csv"));
+  }
+  EXPECT_EQ(mote({"run", (place / "study.yaml").string()}).exit_code, 2);
 }
 
 std::string of_points(const std::string& path, int dimension = 2) {

@@ -49,6 +49,7 @@ def wrong_studies(good):
     yield "unknown key in an item", changed(lambda s: s["operators"].append({"familly": "mps"}))
     yield "unknown layout", changed(lambda s: s["layouts"].append({"type": "square"}))
     yield "unknown quantity", changed(lambda s: s.update(quantities=["slope"]))
+    yield "operators and interpolation", changed(lambda s: s.update(interpolation={}))
 
 
 def wrong_stationary(good):

@@ -46,7 +46,7 @@ TEST(DifferenceTable, IsWrittenForPeopleAndPrograms) {
   const auto file = file_of("{name: t, table: matrices, schemes: [accurate], decades: 2}");
   const auto table = evaluated(file);
   EXPECT_EQ(table.columns.size(), 3);
-  EXPECT_THAT(table_markdown(file, table),
+  EXPECT_THAT(table_markdown(file, table, {}),
               HasSubstr("| h | R accurate | Q accurate | P accurate |"));
   const std::string csv = table_csv(table);
   EXPECT_THAT(csv,
