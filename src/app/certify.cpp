@@ -104,6 +104,7 @@ Certificate certificate_without_results(const Simulation& simulation, const Mome
   if (!simulation.model().bodies().empty())
     certificate.bytes_per_particle = peak_bytes_per_particle(simulation.model());
   certificate.pair_work = simulation.model().pair_work();
+  certificate.pair_work.evaluations += simulation.integrator().own_evaluations();
   certificate.warnings = simulation.warnings();
   for (const std::string& warning : simulation.model().warnings())
     certificate.warnings.push_back(scenario.name + ": warning: " + warning);

@@ -75,6 +75,12 @@ void RunLoop::run_to(std::int64_t frame) {
   progress_.snapshot_done(now_.step, now_.time);
 }
 
+/// Where a step that breaks down is said to have been: nobody knows the end of one that the
+/// integrator was to choose.
+double RunLoop::meant_end(double start, const Step& step) const {
+  return simulation_.integrator().chooses_steps() ? start : step.end;
+}
+
 /// Steps until one ends at the frame.
 void RunLoop::step_to(std::int64_t frame) {
   simulation_.start_afresh();
@@ -82,9 +88,9 @@ void RunLoop::step_to(std::int64_t frame) {
   for (std::int64_t number = 1; now_.time < target; ++number) {
     const double before = now_.time;
     const Step step = simulation_.next_step(frame, number, before);
-    now_ = {now_.frame, now_.step + 1, step.end};
+    now_ = {now_.frame, now_.step + 1, meant_end(before, step)};
     const double length = simulation_.advance(before, step.length);
-    if (length < step.length) now_.time = before + length;
+    now_.time = length < step.length ? before + length : step.end;
     if (wants_row(frame, before, now_)) add_row(now_);
     progress_.step_done(now_.time);
   }
@@ -99,7 +105,7 @@ void RunLoop::step_past(std::int64_t frame) {
     const Moment before = course_->node();
     course_->take_step([&] {
       const Step step = simulation_.next_free_step(before.step + 1, before.time);
-      now_ = {now_.frame, before.step + 1, step.end};
+      now_ = {now_.frame, before.step + 1, meant_end(before.time, step)};
       const double length = simulation_.advance(before.time, step.length);
       return length < step.length ? before.time + length : step.end;
     });
@@ -128,7 +134,8 @@ bool RunLoop::wants_row_between(std::int64_t frame, double before, const Moment&
   const TimePlan& plan = simulation_.plan();
   const double target = plan.time_of_frame(frame);
   const std::int64_t every = simulation_.scenario().output.history;
-  if (every > 0) return after.time != target && after.step % every == 0;
+  if (plan.has_frame_at(after.time)) return false;  // the frame has a row of its own
+  if (every > 0) return after.step % every == 0;
   const bool is_between = before >= plan.time_of_frame(frame - 1) && after.time < target;
   return is_between && plan.passes_tenth(frame, before, after.time);
 }

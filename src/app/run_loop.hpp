@@ -31,6 +31,7 @@ class RunLoop {
   void step_past(std::int64_t frame);
   bool wants_row(std::int64_t frame, double before, const Moment& after) const;
   bool wants_row_between(std::int64_t frame, double before, const Moment& after) const;
+  double meant_end(double start, const Step& step) const;
   void add_row(const Moment& moment);
   int conclude(Certificate certificate);
   std::string failure_message(const NumericalFailure& broken) const;

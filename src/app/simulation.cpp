@@ -62,7 +62,7 @@ void refuse_integrators_that_do_not_fit(const Scenario& scenario, const Integrat
                      fmt::format("{} does not suit the model {} as it is set up: "
                                  "it needs {}",
                                  name, type, missing));
-  if (integrator.chooses_steps() && !model.has_paths())
+  if (integrator.chooses_steps() && !model.bears_any_step())
     throw InputError(
         "time.integrator",
         fmt::format("{} chooses its steps, which the model {} must know before", name, type));
@@ -75,10 +75,11 @@ void refuse_paths_that_there_are_not(const Scenario& scenario, const Integrator&
                                      const Model& model) {
   const std::string& path = scenario.time.dense_output;
   if (path != "none" && !model.has_paths())
-    throw InputError("time.dense_output",
-                     fmt::format("the state of the model {} is more than values on a path, so its "
-                                 "steps have to end at snapshots",
-                                 scenario.model_type));
+    throw InputError(
+        "time.dense_output",
+        fmt::format("the state of the model {} as it is set up is more than values on a "
+                    "path, so its steps have to end at snapshots",
+                    scenario.model_type));
   if (path != "none" && path != "own" && !model.falls_freely())
     throw InputError("time.dense_output",
                      fmt::format("{} needs accelerations that depend on time and places alone, "
@@ -133,6 +134,10 @@ void Simulation::build(const Document& document, const Catalogue& catalogue) {
   }
   make_integrator(catalogue);
   conserved_at_start_ = model_->conserved();
+  if (scenario_.time.courant && integrator_->wants_equal_steps())
+    warn(document.locate("time.courant"),
+         fmt::format("{} begins anew, with many evaluations, whenever the state changes its step",
+                     scenario_.time.integrator));
   if (scenario_.time.step) limit_step(document);
   for (const auto& [key, message] : model_->advice()) warn(document.locate(key), message);
   if (recipe.lives_on_a_line()) make_exact(catalogue);
@@ -180,8 +185,10 @@ Step Simulation::next_step(std::int64_t frame, std::int64_t number, double time)
 
 Step Simulation::next_free_step(std::int64_t number, double time) {
   const double longest = longest_step(time);
-  if (std::isinf(longest) && !integrator_->chooses_steps()) return plan_.free_step(number);
-  return plan_.free_step_within(time, longest);
+  const bool is_equal = std::isinf(longest) && scenario_.time.step;
+  if (is_equal && !integrator_->chooses_steps()) return plan_.free_step(number);
+  return plan_.free_step_within(
+      time, integrator_->chooses_steps() ? longest : std::min(longest, plan_.every()));
 }
 
 void Simulation::start_afresh() {

@@ -29,6 +29,7 @@ class Simulation {
   Model& model() { return *model_; }
   const Model& model() const { return *model_; }
   Integrator& integrator() { return *integrator_; }
+  const Integrator& integrator() const { return *integrator_; }
   const TimePlan& plan() const { return plan_; }
   const ExactSolution* exact() const { return exact_.get(); }
   const std::string& fingerprint() const { return fingerprint_; }

@@ -27,6 +27,11 @@ double TimePlan::time_of_frame(std::int64_t frame) const {
   return frame == frames_ ? end_ : static_cast<double>(frame) * every_;
 }
 
+bool TimePlan::has_frame_at(double time) const {
+  const auto frame = static_cast<std::int64_t>(std::llround(time / every_));
+  return time == end_ || (frame <= frames_ && time == time_of_frame(frame));
+}
+
 std::int64_t TimePlan::steps_to(std::int64_t frame) const {
   // From the interval itself: the difference of two late times has lost digits.
   return pieces(frame < frames_ ? every_ : end_ - time_of_frame(frame - 1), step_);

@@ -18,7 +18,11 @@ class TimePlan {
   TimePlan(double step, double every, double end);
 
   std::int64_t frames() const { return frames_; }
+  /// Time between frames.
+  double every() const { return every_; }
   double time_of_frame(std::int64_t frame) const;
+  /// Whether a frame is at this time.
+  bool has_frame_at(double time) const;
   /// Steps from frame - 1 to frame, and their length.
   std::int64_t steps_to(std::int64_t frame) const;
   double step_to(std::int64_t frame) const;

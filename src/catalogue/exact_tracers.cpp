@@ -26,6 +26,8 @@ struct Tracks {
 
 Tracks tracks_of(const FlowSetup& setup, std::string_view solution) {
   if (!setup.parameters.contains("tracers")) refuse(solution, "is a solution of the model tracers");
+  if (setup.parameters.at("steady") == 0)
+    refuse(solution, "needs a velocity that does not change with time");
   const Eigen::Index dimension = setup.start.dimension, count = setup.initial.count();
   const auto columns = [&](std::span<const double> values) {
     return Eigen::MatrixXd::Map(values.data(), dimension, count);

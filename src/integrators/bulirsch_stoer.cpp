@@ -101,13 +101,14 @@ double BulirschStoer::advance(System& system, double time, double longest) {
   const bool cut_short = longest < proposal_->step;
   Proposal tried{std::min(longest, proposal_->step), proposal_->results};
   bool at_once = true;
-  while (!converges(system, tried)) {
-    tried = after_failure(tried);
-    at_once = false;
+  while (true) {
     if (!(time + tried.step > time))
       throw NumericalFailure(
           "the step has become too short to change the time", {},
           "bodies collide, or the tolerance is finer than the rounding of the accelerations");
+    if (converges(system, tried)) break;
+    tried = after_failure(tried);
+    at_once = false;
   }
   if (!cut_short || !at_once) proposal_ = after_success(at_once);
   finish(system);

@@ -102,6 +102,7 @@ double GaussRadau15::advance(System& system, double time, double longest) {
   double step = std::min(next_step_, longest);
   const double part = std::pow(5040 * tolerance_, 1.0 / 7);
   for (int trial = 0; trial < most_trials; ++trial) {
+    if (!(time + step > time)) break;
     predict(step);
     const bool converged = sweep_until_converged(system, time, step);
     const double wanted = converged ? part * time_of_change(step) : quarter * quarter * step;

@@ -82,7 +82,7 @@ class GaussRadau15 final : public Integrator {
   Nodes predicted_;  ///< the same as the step before it foretold
 
   PackedColumn rate_, moved_, jerk_, snap_, crackle_;  ///< work
-  Nodes next_, foretold_;                    ///< of the step that is being taken
+  Nodes next_, foretold_;                              ///< of the step that is being taken
 };
 
 }  // namespace mote

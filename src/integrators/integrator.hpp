@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <utility>
@@ -42,6 +43,12 @@ class Integrator {
   /// system's values where they were after this part of that step, between 0 and 1.
   virtual bool has_path() const { return false; }
   virtual void go_along_path(System& /*system*/, double /*part*/) {}
+
+  /// Evaluations of forces that the method did itself, and not the system.
+  virtual std::int64_t own_evaluations() const { return 0; }
+
+  /// Whether a step of another length than the last one is a start from nothing.
+  virtual bool wants_equal_steps() const { return false; }
 
   /// What the next step depends on beside the system's values; empty before the first step, and
   /// for methods that start afresh at every step. `recall` takes it back.

@@ -50,6 +50,8 @@ class Stoermer13 final : public Integrator {
   std::string missing_in(System& system) const override;
   void advance_one_step(System& system, double time, double step) override;
 
+  bool wants_equal_steps() const override { return true; }
+
   /// The step's length, then backward differences and sums. (They hold what rounding lost too, so
   /// that a restart gives the same bits.)
   std::vector<double> memory() const override;

@@ -64,6 +64,10 @@ class System {
   /// the system.
   virtual bool has_paths() const { return falls_freely(); }
 
+  /// Whether nothing in the system needs the length of a step before it is taken, so that a method
+  /// may choose it.
+  virtual bool bears_any_step() const { return falls_freely(); }
+
   /// Numbers a place in space, where the first part of what drifts is places and the first part of
   /// what is kicked their velocities; else 0.
   virtual int dimension() const { return 0; }

@@ -159,6 +159,7 @@ void WisdomHolman::give(System& system) {
 
 /// What is left of the forces when Kepler's are taken away, as the class states it.
 void WisdomHolman::update_kicks() {
+  ++evaluations_;
   const Weights& w = *weights_;
   for (std::size_t p = 0; p < place_.size(); ++p) {
     from_first_[p] = place_[p];
@@ -230,7 +231,11 @@ void WisdomHolman::recall(std::span<const double> memory) {
   };
   take(left_place_, 3 * count);
   take(left_velocity_, 3 * count);
-  if (memory.empty()) return;
+  if (memory.empty()) {
+    place_.clear();
+    velocity_.clear();
+    return;
+  }
   idle(place_, velocity_, count);
   for (auto* centre : {&centre_place_, &centre_velocity_})
     for (double& component : *centre) component = *from++;

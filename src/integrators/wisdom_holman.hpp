@@ -35,6 +35,8 @@ class WisdomHolman final : public Integrator {
   std::string missing_in(System& system) const override;
   void advance_one_step(System& system, double time, double step) override;
 
+  std::int64_t own_evaluations() const override { return evaluations_; }
+
   /// Jacobi's coordinates, and the state that they belong to.
   std::vector<double> memory() const override;
   void recall(std::span<const double> memory) override;
@@ -79,7 +81,8 @@ class WisdomHolman final : public Integrator {
   std::vector<double> left_place_, left_velocity_;            ///< of the system by the last step
   Vectors place_, velocity_;                                  ///< Jacobi's; of the first body idle
   std::array<double, 3> centre_place_{}, centre_velocity_{};  ///< of all the mass
-  bool has_kicks_ = false;                                    ///< that belong to the places
+  std::int64_t evaluations_ = 0;
+  bool has_kicks_ = false;  ///< that belong to the places
   Vectors kick_;
   Vectors from_first_, planets_force_, first_force_;  ///< work
 };

@@ -37,6 +37,7 @@ std::vector<double> picked(std::span<const double> numbers, std::span<const std:
 std::string XIvas::missing_in(System& system) const {
   if (system.dimension() != 2 && system.dimension() != 3)
     return "places in two or three dimensions whose velocities it moves, too";
+  if (system.point_masses()) return "a flow, for point masses are no field of velocities";
   return {};
 }
 

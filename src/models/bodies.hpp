@@ -29,6 +29,7 @@ class Bodies final : public Model {
   std::span<const Evolving> kicked() override { return kicked_; }
   bool drifts_freely() const override { return true; }
   bool falls_freely() const override { return true; }
+  bool has_paths() const override { return !collisions_.exist(); }
   int dimension() const override { return D; }
   std::optional<PointMasses> point_masses() const override;
   ForceSeries* force_series() override { return series_.get(); }

@@ -163,7 +163,8 @@ std::vector<std::string> Bodies<D>::remarks() const {
     remarks.emplace_back(
         "Space has no bounds: the domain only says where the bodies are expected.");
   if (collisions_.exist() && collisions() == 0)
-    remarks.emplace_back("No bodies with a radius collided, within steps or at their ends.");
+    remarks.emplace_back(
+        "No bodies with a radius collided, by the cubic paths between the ends of steps.");
   return remarks;
 }
 

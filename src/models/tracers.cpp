@@ -71,6 +71,22 @@ void Tracers<D>::note_invariants() {
   }
 }
 
+/// Whether the velocities at these places are the same at three times that have nothing in common.
+template <int D>
+bool Tracers<D>::is_steady() const {
+  const auto velocity_at = [&](double time) {
+    std::vector<double> velocity(position_.size());
+    velocity_formulas_.add(position_, time, velocity);
+    return velocity;
+  };
+  return velocity_at(0) == velocity_at(0.618) && velocity_at(0) == velocity_at(14.14);
+}
+
+template <int D>
+Parameters Tracers<D>::parameters() const {
+  return {{"tracers", 1}, {"steady", is_steady() ? 1 : 0}};
+}
+
 template <int D>
 void Tracers<D>::update_drift_rates(double time) {
   time_ = time;

@@ -25,7 +25,7 @@ class Tracers final : public Model {
   std::span<const Evolving> drifted() override { return drifted_; }
   std::span<const Evolving> kicked() override { return {}; }
   bool drifts_freely() const override { return false; }
-  bool has_paths() const override { return !steps_itself(); }
+  bool bears_any_step() const override { return !steps_itself(); }
   void prepare(double /*time*/) override {}
   void update_drift_rates(double time) override;
   void update_kick_rates(double /*time*/) override {}
@@ -46,10 +46,11 @@ class Tracers final : public Model {
   std::vector<std::string> warnings() const override;
   std::span<const Body> bodies() const override { return start_.bodies; }
   double spacing() const override { return start_.spacing; }
-  Parameters parameters() const override { return {{"tracers", 1}}; }
+  Parameters parameters() const override;
 
  private:
   void bind();
+  bool is_steady() const;
   void note_invariants();
   void follow(Index i, double time, double step);
   void bring_back_into_the_box();

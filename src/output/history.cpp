@@ -47,7 +47,7 @@ void History::resume(const Moment& moment, const std::vector<Reading>& columns) 
   std::string kept = header + "\n";
   const auto commas = std::ranges::count(header, ',');
   while (std::getline(whole_rows, row) && step_of(row) <= moment.step &&
-         std::ranges::count(row, ',') == commas)
+         std::stod(row) <= moment.time && std::ranges::count(row, ',') == commas)
     kept += row + "\n";
   write_file(path_, kept);
 }

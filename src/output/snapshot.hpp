@@ -48,8 +48,7 @@ struct Snapshot {
 
 /// Writes a snapshot as one HDF5 file: the group `VTKHDF` (1.0, unstructured grid of one
 /// poly-vertex cell) that ParaView 5.11 and VTK 9.1 open, and the group `mote` for restart. The
-/// file appears whole or not at all, and depends on the state and the scene alone. Throws
-/// InputError.
+/// file appears whole or not at all, and depends on what is passed alone. Throws InputError.
 void write_snapshot(const std::filesystem::path& path, const Moment& moment,
                     const std::string& fingerprint, const Cloud& cloud, const Scene& scene = {},
                     const Restart& restart = {});

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <set>
+#include <sstream>
 
 #include "flow_runs.hpp"
 
@@ -40,6 +42,22 @@ TEST_P(DenseOutput, HasTheSameBitsAfterAResume) {
   expect_same_bits_after_a_resume(pair_of_bodies(GetParam()), {"1"});
 }
 
+/// With several frames within a step, a row of the history for every step, and steps that end at
+/// frames by chance.
+TEST_P(DenseOutput, HasTheSameRowsAfterAResume) {
+  std::string scenario = pair_of_bodies(GetParam());
+  const auto replace = [&](const std::string& old, const std::string& with) {
+    scenario.replace(scenario.find(old), old.size(), with);
+  };
+  replace("end: 2.9", "end: 0.08");
+  replace("every: 0.725", "every: 0.02, history: 1");
+  expect_same_bits_after_a_resume(scenario, {"1"});
+  std::istringstream rows(history_of(folder_ / "whole"));
+  std::set<std::string> times;
+  for (std::string row; std::getline(rows, row);)
+    EXPECT_TRUE(times.insert(row.substr(0, row.find(','))).second) << "twice: " << row;
+}
+
 TEST_P(DenseOutput, LeavesStepsAsTheyAre) {
   const std::string scenario = pair_of_bodies(GetParam());
   const fs::path few = run(scenario, "few", {"--set", "output.every=2.9"});
@@ -70,6 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
                         "1e-4"},
                     Way{"runge_kutta_nystrom_86", "two_step_hermite", "tolerance: 1e-12", "1e-6"},
                     Way{"leapfrog_kdk", "cubic_hermite", "step: 0.0004", "1e-4"},
+                    Way{"velocity_verlet", "quintic_hermite", "step: 0.0005", "2e-4"},
                     Way{"runge_kutta_8", "quintic_hermite", "step: 0.011", "1e-6"},
                     Way{"contevol_1_corrected", "own", "step: 0.011", "1e-4"},
                     Way{"stoermer_13", "three_step_hermite", "step: 0.0055", "1e-7"}),

@@ -40,10 +40,11 @@ const std::vector<ScenarioCase> vortices{
      vortex({{8, "time: {integrator: @dormand_prince_853, step: 0.1, end: 0.2}"}}),
      "dormand_prince_853 chooses its steps, which the model vortex must know before"},
     {"path_of_more_than_values",
-     vortex({{8, "time: {integrator: runge_kutta_4, step: 0.1, end: 0.2, dense_output: "
-                 "@cubic_hermite}"}}),
-     "the state of the model vortex is more than values on a path, so its steps have to end at "
-     "snapshots"},
+     vortex({{8,
+              "time: {integrator: runge_kutta_4, step: 0.1, end: 0.2, dense_output: "
+              "@cubic_hermite}"}}),
+     "the state of the model vortex as it is set up is more than values on a path, so its steps "
+     "have to end at snapshots"},
     {"two_sizes", model("core: {overlap: 2, size: @0.1}"),
      "'size' and 'overlap' both say how large cores are"},
     {"size_of_a_point", model("core: {name: point, @overlap: 2}"), "unknown key 'overlap'"},

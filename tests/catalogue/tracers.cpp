@@ -16,7 +16,7 @@ using Velocity = std::function<Vec<2>(const Vec<2>&)>;
 struct Start {
   SpaceStart start;
   Cloud cloud{2, 36};
-  Parameters parameters{{"tracers", 1}};
+  Parameters parameters{{"tracers", 1}, {"steady", 1}};
 
   explicit Start(const Velocity& velocity) {
     const auto values = cloud.add("velocity", FieldKind::vector, "");
@@ -72,6 +72,9 @@ TEST(TracersExact, OtherStartsAreRefused) {
   Start other(vortex);
   other.parameters.clear();
   EXPECT_THROW(other.solution("circular_flow"), InputError);
+  Start unsteady(vortex);
+  unsteady.parameters["steady"] = 0;
+  EXPECT_THROW(unsteady.solution("circular_flow"), InputError);
 }
 
 }  // namespace
