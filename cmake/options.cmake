@@ -18,8 +18,9 @@ if(NOT MOTE_PORTABLE)
 endif()
 if(MOTE_SANITIZE)
   # Checks of every access for null, alignment and dynamic type take longer to compile than all others
-  # together, and a null access traps anyway.
+  # together, and a null access traps anyway. Watching the scope of every vector on the stack makes pair
+  # loops compile seven times longer.
   add_compile_options(-fsanitize=address,undefined -fno-sanitize=null,alignment,vptr
-                      -fno-sanitize-recover=all -Og -g1)
+                      -fno-sanitize-address-use-after-scope -fno-sanitize-recover=all -Og -g1)
   add_link_options(-fsanitize=address,undefined)
 endif()
