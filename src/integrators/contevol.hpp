@@ -15,7 +15,8 @@ namespace mote {
 /// for linear equations of small numbers of unknowns. A method of order n takes x, x', ..., up to
 /// the derivative n at t = 0, and has n + 1 more coefficients to choose, up to t^(2n+1). The force
 /// is expanded along the known part of the path, linearly in the unknown one: so it is exact up to
-/// t^(2n+1) ("adequate", section 3.1 of the paper), and the optimum is taken of all that is left.
+/// t^(2n+1) ("adequate", section 3.1 of the paper). The optimum is taken of that and of four powers
+/// more, which the paper leaves out.
 /// For systems that give their force as a series. Dense: for few bodies.
 class ContEvol : public Integrator {
  public:
@@ -42,6 +43,7 @@ class ContEvol : public Integrator {
   };
 
   int degree() const { return 2 * derivatives_ + 1; }
+  int last_power() const;
   void take_known_part(System& system, double step);
   Residual residual(ForceSeries& series, double step) const;
   Eigen::VectorXd best_unknowns(Residual residual) const;
