@@ -100,6 +100,7 @@ void RunLoop::step_to(std::int64_t frame) {
 void RunLoop::step_past(std::int64_t frame) {
   const double target = simulation_.plan().time_of_frame(frame);
   course_->show_node();
+  simulation_.model().stand_at(course_->node().time);
   while (course_->node().time < target) {
     if (std::exchange(row_is_due_, false)) add_row(course_->node());
     const Moment before = course_->node();
@@ -115,6 +116,7 @@ void RunLoop::step_past(std::int64_t frame) {
   }
   now_ = {frame, course_->node().step, target};
   course_->show(target);
+  simulation_.model().stand_at(target);
   add_row(now_);
 }
 

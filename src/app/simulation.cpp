@@ -66,21 +66,26 @@ void refuse_integrators_that_do_not_fit(const Scenario& scenario, const Integrat
     throw InputError(
         "time.integrator",
         fmt::format("{} chooses its steps, which the model {} must know before", name, type));
-  if (scenario.time.tolerance && !integrator.chooses_steps())
+  if (integrator.chooses_steps()) return;
+  if (scenario.time.tolerance)
     throw InputError("time.tolerance",
                      fmt::format("{} does not control its error, so it has no tolerance", name));
+  if (scenario.time.longest_step)
+    throw InputError("time.longest_step",
+                     fmt::format("{} does not choose its steps: 'step' is the longest", name));
 }
 
 void refuse_paths_that_there_are_not(const Scenario& scenario, const Integrator& integrator,
                                      const Model& model) {
   const std::string& path = scenario.time.dense_output;
-  if (path != "none" && !model.has_paths())
+  if (path == "none" || path == "automatic") return;
+  if (!model.has_paths())
     throw InputError(
         "time.dense_output",
         fmt::format("the state of the model {} as it is set up is more than values on a "
                     "path, so its steps have to end at snapshots",
                     scenario.model_type));
-  if (path != "none" && path != "own" && !model.falls_freely())
+  if (path != "own" && !model.falls_freely())
     throw InputError("time.dense_output",
                      fmt::format("{} needs accelerations that depend on time and places alone, "
                                  "which the model {} has not",
@@ -91,6 +96,11 @@ void refuse_paths_that_there_are_not(const Scenario& scenario, const Integrator&
                                  scenario.time.integrator));
 }
 
+TimePlan plan_of(const Scenario& scenario, std::optional<double> longest_step) {
+  return {longest_step.value_or(std::numeric_limits<double>::infinity()), *scenario.output.every,
+          scenario.time.end};
+}
+
 }  // namespace
 
 Simulation::Simulation(const Document& document, Scenario scenario, const Catalogue& catalogue,
@@ -98,8 +108,7 @@ Simulation::Simulation(const Document& document, Scenario scenario, const Catalo
     : scenario_(std::move(scenario)),
       fingerprint_(mote::fingerprint(scenario_, catalogue)),
       strict_(strict),
-      plan_(scenario_.time.step.value_or(std::numeric_limits<double>::infinity()),
-            *scenario_.output.every, scenario_.time.end) {
+      plan_(plan_of(scenario_, scenario_.time.step)) {
   scenario_.threads = omp_get_max_threads();
   resolved_yaml_ = mote::resolved_yaml(scenario_, catalogue);
   try {
@@ -150,8 +159,12 @@ void Simulation::make_integrator(const Catalogue& catalogue) {
   refuse_integrators_that_do_not_fit(scenario_, *integrator_, *model_);
   refuse_paths_that_there_are_not(scenario_, *integrator_, *model_);
   if (scenario_.time.tolerance) integrator_->tolerate(*scenario_.time.tolerance);
+  if (integrator_->chooses_steps()) plan_ = plan_of(scenario_, scenario_.time.longest_step);
   const std::string& path = scenario_.time.dense_output;
-  if (path != "none" && path != "own") make_path_ = entry_named(catalogue.paths, path).make;
+  follows_path_ =
+      path == "automatic" ? integrator_->has_path() && model_->has_paths() : path != "none";
+  if (follows_path_ && path != "own" && path != "automatic")
+    make_path_ = entry_named(catalogue.paths, path).make;
 }
 
 void Simulation::warn(const std::string& where, const std::string& message) {
@@ -169,9 +182,15 @@ void Simulation::limit_step(const Document& document) {
   }
 }
 
-/// How long the state allows the next step to be; infinite where the scenario's step suffices.
+/// How long the state allows the next step to be; infinite where the plan's step suffices.
 /// Models on a line have no Courant number.
 double Simulation::longest_step(double time) {
+  const double first = scenario_.time.step.value_or(std::numeric_limits<double>::infinity());
+  if (integrator_->chooses_steps() && time == 0) return std::min(first, longest_by_state(time));
+  return longest_by_state(time);
+}
+
+double Simulation::longest_by_state(double time) {
   const auto& courant = scenario_.time.courant;
   if (!courant && scenario_.model->step_suffices()) return std::numeric_limits<double>::infinity();
   return model_->longest_step(time, courant.value_or(1));

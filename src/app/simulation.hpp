@@ -46,7 +46,7 @@ class Simulation {
   }
 
   /// Whether steps know nothing of frames, and the state there is one of a path between their ends.
-  bool follows_path() const { return scenario_.time.dense_output != "none"; }
+  bool follows_path() const { return follows_path_; }
   /// That path; null for the integrator's own.
   std::unique_ptr<Path> path() const { return make_path_ ? make_path_() : nullptr; }
 
@@ -77,6 +77,7 @@ class Simulation {
 
  private:
   double longest_step(double time);
+  double longest_by_state(double time);
   void refuse_what_does_not_fit() const;
   void build(const Document& document, const Catalogue& catalogue);
   void limit_step(const Document& document);
@@ -94,6 +95,7 @@ class Simulation {
   TimePlan plan_;
   std::unique_ptr<Model> model_;
   std::unique_ptr<Integrator> integrator_;
+  bool follows_path_ = false;
   std::function<std::unique_ptr<Path>()> make_path_;
   std::unique_ptr<ExactSolution> exact_;
   std::optional<Observer> observer_;

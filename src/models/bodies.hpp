@@ -35,7 +35,7 @@ class Bodies final : public Model {
   ForceSeries* force_series() override { return series_.get(); }
   void prepare(double /*time*/) override {}
   void update_drift_rates(double /*time*/) override {}
-  void update_kick_rates(double /*time*/) override { form_accelerations(); }
+  void update_kick_rates(double time) override;
 
   void begin_step(double time, double step) override;
   void end_step(double time, double step) override;
@@ -83,7 +83,8 @@ class Bodies final : public Model {
   std::span<double> position_, velocity_, acceleration_, mass_, potential_;
   std::vector<Evolving> drifted_, kicked_;
   mutable std::vector<double> accelerated_at_;  ///< places that the accelerations are of
-  mutable std::int64_t evaluations_ = 0;        ///< times that accelerations were formed
+  std::int64_t evaluations_ = 0;                ///< times that a step asked for new accelerations
+  mutable bool are_new_ = false;                ///< no step has asked for them yet
   Collisions<D> collisions_;
   std::span<double> met_;  ///< contacts that each body has begun, if any are watched for
   std::vector<Collision> first_collisions_;

@@ -107,6 +107,9 @@ class Model : public System {
   virtual void complete_fields() {}
   virtual void complete_snapshot() { complete_fields(); }
 
+  /// Tells of which time the state is that a path has put in.
+  virtual void stand_at(double /*time*/) {}
+
   /// Forgets whatever a restart would not know: called at every snapshot, and so before the first
   /// step.
   virtual void start_afresh() {}

@@ -92,6 +92,7 @@ void Vortex<D>::update_drift_rates(double time) {
                      std::ranges::equal(summed_.circulation, vortices_.circulation());
   if (known) return;
   induced_->at_sources(sources(), {vortices_.velocity(), gradient_});
+  ++evaluations_;
   free_stream_.add(vortices_.position(), time, vortices_.velocity());
   if constexpr (D == 3) free_stream_.add_gradient(vortices_.position(), time, gradient_);
   if constexpr (D == 2)
@@ -145,9 +146,14 @@ void Vortex<D>::end_step(double time, double step) {
   core_at_start_ = vortices_.core_size();
   diffusion_->end_step(vortices_, time, step);
   vortices_.wrap();
-  for (double& age : vortices_.age()) ++age;
   inspect();
-  if (options_.remesh_every > 0 && vortices_.age().front() >= options_.remesh_every) remesh();
+  if (options_.remesh_every > 0) grow_older();
+}
+
+template <int D>
+void Vortex<D>::grow_older() {
+  for (double& age : vortices_.age()) ++age;
+  if (vortices_.age().front() >= options_.remesh_every) remesh();
 }
 
 template <int D>
@@ -187,6 +193,19 @@ void Vortex<D>::remesh() {
   bind();
   ++course_.remeshings;
   course_.dropped = std::max(course_.dropped, loss.dropped);
+}
+
+/// Friction may change sizes and places beside the values that a path goes through, and a box takes
+/// places back into itself.
+template <int D>
+bool Vortex<D>::has_paths() const {
+  return compensates() && options_.kinematic_viscosity == 0 && !vortices_.in_a_box();
+}
+
+template <int D>
+void Vortex<D>::stand_at(double time) {
+  time_ = time;
+  update_dependent_fields();
 }
 
 template <int D>

@@ -36,6 +36,8 @@ class Vortex final : public Model {
   std::span<const Evolving> kicked() override { return kicked_; }
   bool drifts_freely() const override { return false; }
   bool compensates() const override { return options_.remesh_every == 0 && !bodies_; }
+  bool bears_any_step() const override { return compensates(); }
+  bool has_paths() const override;
   void prepare(double /*time*/) override {}
   void update_drift_rates(double time) override;
   void update_kick_rates(double time) override;
@@ -44,6 +46,7 @@ class Vortex final : public Model {
   void end_step(double time, double step) override;
   void update_dependent_fields() override;
   void complete_fields() override;
+  void stand_at(double time) override;
   void inspect() const override;
   void restore(const Cloud& state) override;
 
@@ -52,7 +55,7 @@ class Vortex final : public Model {
   std::vector<StepLimit> step_limits() override;
   double longest_step(double time, double courant) override;
   std::vector<Advice> advice() const override;
-  PairWork pair_work() const override { return diffusion_->pair_work(); }
+  PairWork pair_work() const override;
   std::vector<std::string> remarks() const override;
   std::span<const Body> bodies() const override { return vortices_.start().bodies; }
   Triple force_on(std::size_t body) const override;
@@ -66,6 +69,7 @@ class Vortex final : public Model {
   void need_no_net_circulation();
   double core_size_at(double time) const;
   void remesh();
+  void grow_older();
   void end_step_beside_walls(double time, double step);
   VortexLatticeOptions lattice() const;
   void add_stretching();
@@ -92,6 +96,7 @@ class Vortex final : public Model {
     double time = 0, core_size = -1;
     std::vector<double> position, circulation;
   } summed_;
+  std::int64_t evaluations_ = 0;  ///< times that velocities were summed
 
   bool has_circulation_ = false, is_a_pair_ = false;  ///< at the start
   struct Course {

@@ -13,6 +13,14 @@ VortexMoments Vortex<2>::moments() const {
   return vortex_moments(vortices_.position(), vortices_.circulation(), vortices_.velocity());
 }
 
+/// That of friction, or, without it, of the velocities.
+template <int D>
+PairWork Vortex<D>::pair_work() const {
+  PairWork work = diffusion_->pair_work();
+  if (work.evaluations == 0) work.evaluations = evaluations_;
+  return work;
+}
+
 template <int D>
 bool Vortex<D>::keeps_impulse() const {
   return !vortices_.in_a_box() && !free_stream_.exists() && !bodies_ &&

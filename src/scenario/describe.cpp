@@ -125,14 +125,20 @@ void describe_time(Description& d, Scenario::Time& time, const Catalogue& catalo
   d.choice({"integrator", "how time goes on"}, time.integrator, choices_of(catalogue.integrators));
   d.number({"courant", "in space: Courant number of a step; default: 0.25"}, time.courant,
            {0, 1, true});
-  d.number({"step", "longest time step; in space there may be none"}, time.step, positive);
+  d.number({"step",
+            "longest time step, in space there may be none; the longest first one for integrators "
+            "that choose their steps"},
+           time.step, positive);
   d.number({"end", "time at which the run ends", true}, time.end, positive);
   d.number(
       {"tolerance",
        "of integrators that choose their steps: error of a step, relative to the largest value "
        "of its kind; default: the integrator's"},
       time.tolerance, {1e-15, 1});
+  d.number({"longest_step", "of integrators that choose their steps; default: none"},
+           time.longest_step, positive);
   Choices paths{{"none", "steps end at every snapshot"},
+                {"automatic", "own, if there is one, else none"},
                 {"own", "the path that the integrator itself gives between the ends of steps"}};
   for (const PathEntry& path : catalogue.paths) paths.push_back(path);
   d.choice(

@@ -58,7 +58,8 @@ struct Scenario {
     std::optional<double> courant;  ///< Courant number of a step, in space
     std::optional<double> step;     ///< longest step; in space there may be none
     double end = 0;
-    std::optional<double> tolerance;    ///< of integrators that choose their steps
+    /// Of integrators that choose their steps, for which `step` is the longest first one.
+    std::optional<double> tolerance, longest_step;
     std::string dense_output = "none";  ///< what gives the state at snapshots
   } time;
 

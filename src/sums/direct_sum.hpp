@@ -32,7 +32,7 @@ class DirectSum {
     const std::size_t count = targets_.rows(), all = sources_.rows();
     const auto blocks =
         static_cast<std::ptrdiff_t>((count + targets_at_once - 1) / targets_at_once);
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) if (blocks > 1)
     for (std::ptrdiff_t b = 0; b < blocks; ++b) {
       const std::size_t first = b * targets_at_once;
       add_pairs<K>(kernel, targets, {first, std::min(first + targets_at_once, count)}, sources,

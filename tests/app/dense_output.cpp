@@ -32,6 +32,15 @@ std::string pair_of_bodies(const Way& way) {
          way.error + "}\n";
 }
 
+/// Two vortices that go round each other with the period 4.93; no step ends near a snapshot.
+const std::string pair_of_vortices =
+    "name: pair\ndimension: 2\ndomain: {lower: [-1, -1], upper: [1, 1]}\n"
+    "particles: {spacing: 0.1}\nmodel:\n  type: vortex\n  core: point\n  vortices:\n"
+    "    - {position: [-0.25, 0], circulation: 1}\n    - {position: [0.25, 0], circulation: 1}\n"
+    "operator: vortex_blob.gauss\n"
+    "time: {integrator: dormand_prince_853, tolerance: 1e-10, end: 6.1, dense_output: own}\n"
+    "output: {every: 1.525, picture: false}\ncheck: {against: vortex_pair, position: 1e-7}\n";
+
 nlohmann::json summary_of(const fs::path& out) {
   return nlohmann::json::parse(read(out / "summary.json"));
 }
@@ -77,6 +86,28 @@ TEST_P(DenseOutput, IsNeededForThat) {
   many_words.push_back("output.every=0.05");
   EXPECT_NE(summary_of(run(scenario, "few", few_words))["errors"],
             summary_of(run(scenario, "many", many_words))["errors"]);
+}
+
+using DenseOutputOfVortices = FlowRuns;
+
+TEST_F(DenseOutputOfVortices, HasTheSameBitsAfterAResume) {
+  expect_same_bits_after_a_resume(pair_of_vortices, {"1"});
+}
+
+TEST_F(DenseOutputOfVortices, LeavesStepsAsTheyAre) {
+  const auto few = summary_of(run(pair_of_vortices, "few", {"--set", "output.every=6.1"}));
+  const auto many = summary_of(run(pair_of_vortices, "many", {"--set", "output.every=0.0305"}));
+  EXPECT_EQ(few["steps"], many["steps"]);
+  EXPECT_EQ(few["errors"], many["errors"]);
+  EXPECT_GT(few["evaluations"], 0);
+}
+
+/// Negative control: without a path steps end at snapshots.
+TEST_F(DenseOutputOfVortices, IsNeededForThat) {
+  const auto many =
+      summary_of(run(pair_of_vortices, "many",
+                     {"--set", "output.every=0.0305", "--set", "time.dense_output=none"}));
+  EXPECT_GE(many["steps"], 200);
 }
 
 INSTANTIATE_TEST_SUITE_P(

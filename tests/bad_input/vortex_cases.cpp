@@ -37,10 +37,12 @@ TEST_P(VortexThatCannotBe, IsRefused) { expect_refused(); }
 const std::vector<ScenarioCase> vortices{
     {"unknown_core", model("core: @gaus"), "unknown name 'gaus' (did you mean 'gauss'?)"},
     {"steps_that_the_integrator_chooses",
-     vortex({{8, "time: {integrator: @dormand_prince_853, step: 0.1, end: 0.2}"}}),
+     vortex({{5, "model: {type: vortex, remesh: {every: 1}}"},
+             {8, "time: {integrator: @dormand_prince_853, step: 0.1, end: 0.2}"}}),
      "dormand_prince_853 chooses its steps, which the model vortex must know before"},
     {"path_of_more_than_values",
-     vortex({{8,
+     vortex({{5, "model: {type: vortex, remesh: {every: 1}}"},
+             {8,
               "time: {integrator: runge_kutta_4, step: 0.1, end: 0.2, dense_output: "
               "@cubic_hermite}"}}),
      "the state of the model vortex as it is set up is more than values on a path, so its steps "
