@@ -33,14 +33,23 @@ std::vector<const Column*> columns_of(const Field& field, const Table& reference
   return columns;
 }
 
+/// The coordinate of that image of a place which is nearest to another; a period of 0 is none.
+double nearest_image(double place, double other, double period) {
+  return period > 0 ? place - period * std::round((place - other) / period) : place;
+}
+
 /// The error of a field over some particles, whose reference the columns hold in the same order.
+/// Places are those of the nearest images.
 ErrorNorms error_of(const Field& field, const std::vector<Index>& particles,
-                    const std::vector<const Column*>& columns) {
+                    const std::vector<const Column*>& columns, const Triple& periods) {
+  const bool is_place = field.name == "position";
   std::vector<double> values, reference;
   for (std::size_t row = 0; row < particles.size(); ++row)
     for (std::size_t c = 0; c < columns.size(); ++c) {
-      values.push_back(field.values[static_cast<std::size_t>(particles[row]) * columns.size() + c]);
-      reference.push_back(columns[c]->values[row]);
+      const auto at = static_cast<std::size_t>(particles[row]) * columns.size() + c;
+      const double exact = columns[c]->values[row];
+      values.push_back(field.values[at]);
+      reference.push_back(is_place ? nearest_image(exact, values.back(), periods[c]) : exact);
     }
   return error_norms(field.name, values, reference, field.components);
 }
@@ -116,12 +125,13 @@ Certificate certificate_without_results(const Simulation& simulation, const Mome
 std::vector<ErrorNorms> errors_of(const Simulation& simulation, double time) {
   const std::vector<Index> particles = compared(simulation.model());
   const Table reference = reference_of(simulation, particles, time);
+  const Triple periods = simulation.scenario().periods();
   std::vector<ErrorNorms> errors;
   for (const Column& column : reference)
     for (const Field& field : simulation.model().cloud().fields()) {
       const auto columns = columns_of(field, reference);
       if (!columns.empty() && columns.front() == &column)
-        errors.push_back(error_of(field, particles, columns));
+        errors.push_back(error_of(field, particles, columns, periods));
     }
   return errors;
 }

@@ -24,6 +24,12 @@ double memory_of(const Scenario& scenario) {
   return scenario.model->lives_on_a_line() ? memory_on_a_line(scenario) : memory_in_space(scenario);
 }
 
+/// Of models that make their own steps.
+class NoIntegrator final : public Integrator {
+ public:
+  void advance_one_step(System& /*system*/, double /*time*/, double /*step*/) override {}
+};
+
 std::string particles_in_words(const Scenario& scenario) {
   if (const auto own = scenario.model->own_particles()) return fmt::format("{} bodies", *own);
   if (scenario.particles.count) return fmt::format("{} particles", *scenario.particles.count);
@@ -44,13 +50,6 @@ void refuse_operators_that_do_not_fit(const Scenario& scenario) {
     throw InputError("operator",
                      fmt::format("{} needs points with circulation, which the model {} has not",
                                  name, scenario.model_type));
-}
-
-void refuse_integrator_of_own_steps(const Scenario& scenario, const Model& model) {
-  if (!model.steps_itself() || scenario.time.integrator == Scenario().time.integrator) return;
-  throw InputError(
-      "time.integrator",
-      fmt::format("the model {} makes its own steps, and no integrator", scenario.model_type));
 }
 
 void refuse_integrators_that_do_not_fit(const Scenario& scenario, const Integrator& integrator,
@@ -114,6 +113,7 @@ Simulation::Simulation(const Document& document, Scenario scenario, const Catalo
   try {
     bytes_needed_ = memory_of(scenario_);
     refuse_what_does_not_fit();
+    add_other_memory();
     build(document, catalogue);
     if (exact_ != nullptr) bytes_needed_ += exact_->bytes_needed();
     refuse_what_does_not_fit();
@@ -129,6 +129,16 @@ void Simulation::refuse_what_does_not_fit() const {
     throw InputError(on_a_line ? "particles.count" : "particles.spacing",
                      fmt::format("{} need about {:.0f} GB, this machine has {:.0f}",
                                  particles_in_words(scenario_), bytes_needed_ / 1e9, there / 1e9));
+}
+
+void Simulation::add_other_memory() {
+  if (scenario_.model->lives_on_a_line()) return;
+  const OtherMemory other = other_memory_in_space(scenario_);
+  const double there = physical_memory();
+  bytes_needed_ += other.bytes;
+  if (bytes_needed_ > there)
+    throw InputError(other.key, fmt::format("{} needs about {:.3g} GB, this machine has {:.0f}",
+                                            other.what, other.bytes / 1e9, there / 1e9));
 }
 
 void Simulation::build(const Document& document, const Catalogue& catalogue) {
@@ -154,8 +164,9 @@ void Simulation::build(const Document& document, const Catalogue& catalogue) {
 }
 
 void Simulation::make_integrator(const Catalogue& catalogue) {
-  refuse_integrator_of_own_steps(scenario_, *model_);
-  integrator_ = entry_named(catalogue.integrators, scenario_.time.integrator).make();
+  const std::string& name = scenario_.time.integrator;
+  integrator_ = name.empty() ? std::make_unique<NoIntegrator>()
+                             : entry_named(catalogue.integrators, name).make();
   refuse_integrators_that_do_not_fit(scenario_, *integrator_, *model_);
   refuse_paths_that_there_are_not(scenario_, *integrator_, *model_);
   if (scenario_.time.tolerance) integrator_->tolerate(*scenario_.time.tolerance);
@@ -282,12 +293,7 @@ void Simulation::make_flow(const Catalogue& catalogue) {
 void Simulation::make_observer() {
   if (scenario_.output.errors && exact_ == nullptr)
     throw InputError("output.errors", "there are no errors without an exact solution");
-  Triple period{};
-  for (const std::string& axis : scenario_.domain.periodic) {
-    const auto d = static_cast<std::size_t>(axis.front() - 'x');
-    period[d] = scenario_.domain.upper[d] - scenario_.domain.lower[d];
-  }
-  if (!scenario_.probes.empty()) observer_.emplace(scenario_.probes, period, *model_);
+  if (!scenario_.probes.empty()) observer_.emplace(scenario_.probes, scenario_.periods(), *model_);
   std::vector<std::string> columns{"time", "step"};
   for (const Conserved& quantity : conserved_at_start_) columns.push_back(quantity.name);
   for (const Reading& reading : observations(0)) columns.push_back(reading.name);

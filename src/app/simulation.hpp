@@ -79,6 +79,7 @@ class Simulation {
   double longest_step(double time);
   double longest_by_state(double time);
   void refuse_what_does_not_fit() const;
+  void add_other_memory();
   void build(const Document& document, const Catalogue& catalogue);
   void limit_step(const Document& document);
   void warn(const std::string& where, const std::string& message);

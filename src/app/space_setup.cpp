@@ -172,4 +172,13 @@ double memory_in_space(const Scenario& scenario) {
          (own ? *own : most_particles(space_plan(scenario)));
 }
 
+OtherMemory other_memory_in_space(const Scenario& scenario) {
+  const SpacePlan plan = space_plan(scenario);
+  return scenario.model->other_memory({.dimension = plan.dimension,
+                                       .lower = plan.lower,
+                                       .upper = plan.upper,
+                                       .periodic = plan.periodic,
+                                       .spacing = plan.spacing});
+}
+
 }  // namespace mote

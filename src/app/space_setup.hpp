@@ -19,4 +19,7 @@ SpaceSetup space_setup(Scenario& scenario, const Catalogue& catalogue);
 /// Memory of a run in space, at most about. Throws InputError as `most_particles` does. [bytes]
 double memory_in_space(const Scenario& scenario);
 
+/// What its model needs beside the particles. Throws InputError as `ModelRecipe::other_memory`.
+OtherMemory other_memory_in_space(const Scenario& scenario);
+
 }  // namespace mote

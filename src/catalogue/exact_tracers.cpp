@@ -35,7 +35,21 @@ Tracks tracks_of(const FlowSetup& setup, std::string_view solution) {
   return {columns(setup.initial.position()), columns(setup.initial.values("velocity"))};
 }
 
-/// Least squares about the means: A = sum v x^T (sum x x^T)^-1.
+/// A linear velocity that is periodic along an axis does not depend on it.
+void make_periodic(const SpaceStart& start, double fastest, Eigen::MatrixXd& gradient) {
+  for (Eigen::Index d = 0; d < gradient.cols(); ++d) {
+    const auto axis = static_cast<std::size_t>(d);
+    if (!start.periodic[axis]) continue;
+    const double jump = gradient.col(d).norm() * (start.upper[axis] - start.lower[axis]);
+    if (jump > rounding * fastest)
+      refuse(LinearFlow::name, fmt::format("needs a velocity that is the same all along {}, where "
+                                           "the domain is periodic",
+                                           axis_names[d]));
+    gradient.col(d).setZero();
+  }
+}
+
+/// Least squares about the means c: A = sum v (x - c)^T (sum (x - c) (x - c)^T)^-1.
 std::unique_ptr<FlowSolution> linear_from(const FlowSetup& setup) {
   const Tracks of = tracks_of(setup, LinearFlow::name);
   const auto dimension = of.places.rows();
@@ -44,7 +58,7 @@ std::unique_ptr<FlowSolution> linear_from(const FlowSetup& setup) {
   const Eigen::FullPivLU<Eigen::MatrixXd> moments(x * x.transpose());
   if (!moments.isInvertible())
     refuse(LinearFlow::name, "needs tracers that are not all on one line or plane");
-  const Eigen::MatrixXd gradient = (v * x.transpose()) * moments.inverse();
+  Eigen::MatrixXd gradient = (v * x.transpose()) * moments.inverse();
   const double wrong = (v - gradient * x).cwiseAbs().maxCoeff();
   const double fastest = of.velocities.cwiseAbs().maxCoeff();
   if (wrong > rounding * fastest)
@@ -53,9 +67,11 @@ std::unique_ptr<FlowSolution> linear_from(const FlowSetup& setup) {
         fmt::format("needs a velocity that is linear in space, and this one differs by {:.2g} of "
                     "its largest",
                     wrong / fastest));
+  make_periodic(setup.start, fastest, gradient);
   LinearVelocity velocity{.dimension = setup.start.dimension};
   velocity.gradient.topLeftCorner(dimension, dimension) = gradient;
-  velocity.at_origin.head(dimension) = drift - gradient * centre;
+  velocity.centre.head(dimension) = centre;
+  velocity.at_centre.head(dimension) = drift - gradient * x.rowwise().mean();
   const auto position = setup.initial.position();
   return std::make_unique<LinearFlow>(velocity,
                                       std::vector<double>(position.begin(), position.end()));
@@ -80,6 +96,19 @@ void refuse_several_rates_at_one_radius(std::vector<CirclingPoint> points) {
     refuse(CircularFlow::name, "needs an angular velocity that depends on the radius alone");
 }
 
+void refuse_circles_through_periodic_sides(const SpaceStart& start, const Eigen::Vector2d& centre,
+                                           const std::vector<CirclingPoint>& points) {
+  const double radius = std::ranges::max(points, {}, &CirclingPoint::radius).radius;
+  for (const Eigen::Index d : {0, 1}) {
+    const auto axis = static_cast<std::size_t>(d);
+    if (start.periodic[axis] &&
+        (centre[d] - radius < start.lower[axis] || centre[d] + radius > start.upper[axis]))
+      refuse(CircularFlow::name,
+             fmt::format("needs circles within the domain along {}, where it is periodic",
+                         axis_names[d]));
+  }
+}
+
 std::unique_ptr<FlowSolution> circular_from(const FlowSetup& setup) {
   const Tracks of = tracks_of(setup, CircularFlow::name);
   if (setup.start.dimension != 2) refuse(CircularFlow::name, "is a flow in 2 dimensions");
@@ -97,6 +126,7 @@ std::unique_ptr<FlowSolution> circular_from(const FlowSetup& setup) {
          .angular_velocity = radius > 0 ? (x[0] * v[1] - x[1] * v[0]) / (radius * radius) : 0});
   }
   refuse_several_rates_at_one_radius(points);
+  refuse_circles_through_periodic_sides(setup.start, centre, points);
   return std::make_unique<CircularFlow>(std::array{centre[0], centre[1]}, std::move(points));
 }
 

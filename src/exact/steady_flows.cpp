@@ -30,7 +30,8 @@ std::string LinearFlow::statement() const {
 
 FlowState LinearFlow::state_at(const std::array<double, 3>& place) const {
   const Eigen::Vector3d velocity =
-      velocity_.gradient * Eigen::Vector3d::Map(place.data()) + velocity_.at_origin;
+      velocity_.gradient * (Eigen::Vector3d::Map(place.data()) - velocity_.centre) +
+      velocity_.at_centre;
   return {{velocity[0], velocity[1], velocity[2]}};
 }
 

@@ -8,14 +8,16 @@
 
 namespace mote {
 
-/// u = A x + b, in `dimension` dimensions; what is beyond them is 0.
+/// u = A (x - c) + b, in `dimension` dimensions; what is beyond them is 0. A centre c near the
+/// points keeps the digits that A c would take from their velocities.
 struct LinearVelocity {
   int dimension = 2;
   Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d at_origin = Eigen::Vector3d::Zero();
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero(), at_centre = Eigen::Vector3d::Zero();
 };
 
-/// Material points in a steady linear flow: x = x0 + Q(t) (A x0 + b), Q the integral of e^(t A).
+/// Material points in a steady linear flow: x = x0 + Q(t) (A (x0 - c) + b), Q the integral of
+/// e^(t A).
 class LinearFlow final : public FlowSolution {
  public:
   static constexpr std::string_view name = "linear_flow";

@@ -56,6 +56,7 @@ class IncompressibleRecipe final : public ModelRecipe {
   IncompressibleOptions options;
 
   bool lives_on_a_line() const override { return false; }
+  bool steps_itself() const override { return true; }
   void describe(Description& description) override { options.describe(description); }
   std::vector<InitialField> initial_fields(int dimension) const override;
   std::vector<std::string> conserved_names(int dimension) const override;

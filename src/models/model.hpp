@@ -156,6 +156,12 @@ struct InitialField {
   std::string default_expression;
 };
 
+/// Memory that belongs to no particle, and the key of the scenario that decides on it.
+struct OtherMemory {
+  std::string key, what;
+  double bytes = 0;
+};
+
 /// A model's options, and how to make the model from them.
 class ModelRecipe {
  public:
@@ -166,6 +172,10 @@ class ModelRecipe {
   /// Whether `time.step` alone can say how long steps are, so that without a Courant number the
   /// state does not shorten them.
   virtual bool step_suffices() const { return false; }
+  /// Whether the model makes its own steps, and leaves nothing to an integrator.
+  virtual bool steps_itself() const { return false; }
+  /// The largest Courant number of a step that it bears.
+  virtual double largest_courant_number() const { return 1; }
   /// Whether derivatives are formed, for which a scenario must name an operator.
   virtual bool needs_operator() const { return true; }
   /// Whether particles fill a domain at a spacing, which a scenario then must give.
@@ -182,6 +192,9 @@ class ModelRecipe {
   virtual std::optional<double> own_particles() const { return std::nullopt; }
   /// Memory of a particle with all that belongs to it, about, in space.
   virtual double bytes_a_particle(int /*dimension*/) const { return 600; }
+  /// What it needs beside its particles in this domain, whose particles are not there yet. Throws
+  /// InputError for more than can be counted.
+  virtual OtherMemory other_memory(const SpaceStart& /*domain*/) const { return {}; }
   /// The model on a line, or in space. Throws InputError for options that do not go together with
   /// the set-up, std::logic_error where the model does not live.
   virtual std::unique_ptr<Model> make(LineSetup setup) const;

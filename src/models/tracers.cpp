@@ -7,6 +7,7 @@
 #include <exception>
 #include <numeric>
 
+#include "mote/geometry/wall_places.hpp"
 #include "mote/particles/failure.hpp"
 #include "mote/particles/parallel.hpp"
 
@@ -44,6 +45,7 @@ Tracers<D>::Tracers(const TracersOptions& options, SpaceSetup setup)
     mesh_ = std::make_unique<TracerMesh<D>>(options_, start_, velocity_formulas_);
   start_afresh();
   update_dependent_fields();
+  refuse_velocities_without_value<D>(position_, velocity_);
 }
 
 template <int D>
@@ -56,18 +58,29 @@ void Tracers<D>::bind() {
 }
 
 template <int D>
-double Tracers<D>::invariant(std::size_t number, Index i) const {
+Triple Tracers<D>::place_of(Index i) const {
   Triple place{};
   Vec<D>::Map(place.data()) = position(i);
-  return invariants_[number](place, 0);
+  return place;
+}
+
+template <int D>
+double Tracers<D>::invariant(std::size_t number, Index i) const {
+  return invariants_[number](place_of(i), 0);
 }
 
 template <int D>
 void Tracers<D>::note_invariants() {
   for (std::size_t k = 0; k < invariants_.size(); ++k) {
     const auto at_start = cloud_.values(start_of(options_.invariants[k]));
-    for (Index i = 0; i < cloud_.count(); ++i)
-      at_start[static_cast<std::size_t>(i)] = invariant(k, i);
+    for (Index i = 0; i < cloud_.count(); ++i) {
+      const double value = at_start[static_cast<std::size_t>(i)] = invariant(k, i);
+      if (!std::isfinite(value))
+        throw InputError(
+            fmt::format("model.invariants.{}.formula", k),
+            fmt::format("the invariant '{}' has no value for the tracer that starts at {}",
+                        options_.invariants[k].name, place_in_words(place_of(i), D)));
+    }
   }
 }
 
@@ -121,7 +134,7 @@ void Tracers<D>::follow(Index i, double time, double step) {
   position(i) = end.position;
   cells_[number] = end.cell;
   crossings_[number] = end.crossings;
-  if (end.left) left_at_[number] = time + end.time;
+  if (end.left) left_at_[number] = time + end.time.value();
 }
 
 template <int D>
@@ -139,14 +152,15 @@ void Tracers<D>::update_dependent_fields() {
   update_drift_rates(time_);
 }
 
-/// Cells are found from places alone, as a restart has to.
+/// Cells are found from places alone, as a restart has to, each from that of the tracer before it.
 template <int D>
 void Tracers<D>::start_afresh() {
   if (!mesh_) return;
   cells_.resize(left_at_.size());
+  Index last = 0;
   for (Index i = 0; i < cloud_.count(); ++i)
     if (left_at_[static_cast<std::size_t>(i)] == under_way)
-      cells_[static_cast<std::size_t>(i)] = mesh_->locate(position(i));
+      cells_[static_cast<std::size_t>(i)] = last = mesh_->locate(position(i), last);
 }
 
 template <int D>
@@ -158,9 +172,11 @@ void Tracers<D>::restore(const Cloud& state) {
 template <int D>
 void Tracers<D>::inspect() const {
   for (Index i = 0; i < cloud_.count(); ++i)
-    if (!position(i).allFinite())
-      throw NumericalFailure(fmt::format("tracer {} has a place that is not finite", i), {i},
-                             "the step is too long for the integrator, or a formula has no value");
+    for (const auto& [what, values] : {std::pair("place", position_), {"velocity", velocity_}})
+      if (!Vec<D>::Map(values.data() + std::ptrdiff_t{i} * D).allFinite())
+        throw NumericalFailure(
+            fmt::format("tracer {} has a {} that is not finite", i, what), {i},
+            "the step is too long for the integrator, or a formula has no value");
 }
 
 template <int D>
@@ -169,15 +185,21 @@ Index Tracers<D>::left() const {
       std::ranges::count_if(left_at_, [](double at) { return at != under_way; }));
 }
 
-/// Of an invariant 1 less the largest change that a tracer has seen, over the largest value.
+/// Of an invariant 1 less the largest change that a tracer has seen, over the largest value that
+/// one has or had at the start.
 template <int D>
 double Tracers<D>::kept(std::size_t number) const {
+  const std::string& name = options_.invariants[number].name;
   const auto at_start = cloud_.values(start_of(options_.invariants[number]));
   double change = 0, scale = 0;
   for (Index i = 0; i < cloud_.count(); ++i) {
-    const double start = at_start[static_cast<std::size_t>(i)];
-    change = std::max(change, std::abs(invariant(number, i) - start));
-    scale = std::max(scale, std::abs(start));
+    const double start = at_start[static_cast<std::size_t>(i)], now = invariant(number, i);
+    if (!std::isfinite(now))
+      throw NumericalFailure(
+          fmt::format("the invariant '{}' of tracer {} is not a finite number", name, i), {i},
+          "its formula has no value where the tracer came to");
+    change = std::max(change, std::abs(now - start));
+    scale = std::max({scale, std::abs(start), std::abs(now)});
   }
   return change == 0 ? 1 : 1 - change / scale;
 }

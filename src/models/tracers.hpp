@@ -58,6 +58,7 @@ class Tracers final : public Model {
   Eigen::Map<Vec<D>> position(Index i) const {
     return Eigen::Map<Vec<D>>(position_.data() + std::ptrdiff_t{i} * D);
   }
+  Triple place_of(Index i) const;
   double invariant(std::size_t number, Index i) const;
   double kept(std::size_t number) const;
 

@@ -32,7 +32,7 @@ struct TracersOptions {
   std::vector<TracerInvariant> invariants;
 
   void describe(Description& description);
-  /// Throws InputError for names that are used twice.
+  /// Throws InputError for names that are no columns, or used twice.
   void check() const;
 };
 
@@ -49,6 +49,10 @@ class TracersRecipe final : public ModelRecipe {
   bool lives_on_a_line() const override { return false; }
   bool needs_operator() const override { return false; }
   bool step_suffices() const override { return true; }
+  bool steps_itself() const override { return options.method == TracerMethod::streamlines; }
+  /// Streamlines serve any step, an integrator a Courant number of 1.
+  double largest_courant_number() const override;
+  OtherMemory other_memory(const SpaceStart& domain) const override;
   void describe(Description& description) override { options.describe(description); }
   std::vector<InitialField> initial_fields(int /*dimension*/) const override { return {}; }
   std::vector<std::string> conserved_names(int /*dimension*/) const override { return {}; }

@@ -66,8 +66,10 @@ class Description {
   virtual void flag(const Key& key, bool& value) = 0;
   virtual void text(const Key& key, std::string& value) = 0;
   virtual void numbers(const Key& key, std::vector<double>& values) = 0;
-  /// A formula in x, y, z, r, t, pi and the scenario's constants; kept as text.
-  virtual void expression(const Key& key, std::string& value) = 0;
+  /// A formula in x, y, z, r and t, or in some of these letters alone, in pi and the scenario's
+  /// constants; kept as text.
+  virtual void expression(const Key& key, std::string& value,
+                          std::string_view variables = "xyzrt") = 0;
   /// An empty word is none: absent stays absent.
   virtual void choice(const Key& key, std::string& value, const Choices& choices) = 0;
   /// A word that decides which further keys the section has; `rest` describes those.

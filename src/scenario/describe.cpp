@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "mote/particles/lattice.hpp"
@@ -121,10 +122,20 @@ void describe_initial(Description& d, Scenario& scenario, const std::vector<Init
   }
 }
 
-void describe_time(Description& d, Scenario::Time& time, const Catalogue& catalogue) {
-  d.choice({"integrator", "how time goes on"}, time.integrator, choices_of(catalogue.integrators));
+/// The largest Courant number that the model of a file bears, or any model.
+double largest_courant_number(const Description& d, const Scenario& scenario) {
+  if (d.wants_all_variants() || !scenario.model) return std::numeric_limits<double>::infinity();
+  return scenario.model->largest_courant_number();
+}
+
+void describe_time(Description& d, Scenario& scenario, const Catalogue& catalogue) {
+  Scenario::Time& time = scenario.time;
+  d.choice({"integrator",
+            "how time goes on; default: velocity_verlet, or none for models that make their own "
+            "steps"},
+           time.integrator, choices_of(catalogue.integrators));
   d.number({"courant", "in space: Courant number of a step; default: 0.25"}, time.courant,
-           {0, 1, true});
+           {0, largest_courant_number(d, scenario), true});
   d.number({"step",
             "longest time step, in space there may be none; the longest first one for integrators "
             "that choose their steps"},
@@ -238,7 +249,7 @@ void describe(Description& d, Scenario& scenario, const Catalogue& catalogue) {
   });
   d.section({"neighbours", "how neighbours are found"},
             [&] { describe_neighbours(d, scenario.neighbours); });
-  d.section({"time", "step and end", true}, [&] { describe_time(d, scenario.time, catalogue); });
+  d.section({"time", "step and end", true}, [&] { describe_time(d, scenario, catalogue); });
   d.section({"output", "what is written"}, [&] { describe_output(d, scenario.output); });
   describe_probes(d, scenario.probes);
   d.section({"check", "what the result must hold"},

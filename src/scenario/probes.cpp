@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cctype>
-
+#include "mote/options/column_name.hpp"
 #include "mote/scenario/located_error.hpp"
 
 namespace mote {
@@ -69,10 +67,6 @@ class PlaceChecks {
   const Document& document_;
 };
 
-bool is_name(const std::string& name) {
-  return std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) || c == '_'; });
-}
-
 }  // namespace
 
 void describe_probes(Description& d, std::vector<Probe>& probes) {
@@ -90,7 +84,7 @@ void check_probes(const std::vector<Probe>& probes, const ProbeDomain& domain,
   for (std::size_t k = 0; k < probes.size(); ++k) {
     const Probe& probe = probes[k];
     const std::string section = fmt::format("probes.{}.", k);
-    if (!is_name(probe.name))
+    if (!is_column_name(probe.name))
       places.refuse(section + "name", fmt::format("'{}' cannot name a probe: a name is letters, "
                                                   "digits and _",
                                                   probe.name));

@@ -221,9 +221,15 @@ std::string Reader::read_expression(const Value& given, const std::string& name)
   return text;
 }
 
-void Reader::expression(const Key& key, std::string& value) {
+void Reader::expression(const Key& key, std::string& value, std::string_view variables) {
   const Value* given = take(key);
-  if (given != nullptr) value = read_expression(*given, key.name);
+  if (given == nullptr) return;
+  value = read_expression(*given, key.name);
+  const Expression formula(value, constants_);
+  for (const char variable : std::string_view("xyzrt"))
+    if (variables.find(variable) == std::string_view::npos && formula.uses({variable}))
+      refuse(*given, fmt::format("'{}' is a formula in {} alone, and this names {}", key.name,
+                                 fmt::join(variables, ", "), variable));
 }
 
 void Reader::expressions(const Key& key, std::vector<std::string>& values) {

@@ -73,6 +73,18 @@ void check_together(const Scenario& scenario, const Document& document) {
                                        *scenario.output.every));
 }
 
+/// Models that make their own steps leave nothing to an integrator.
+void check_integrator(const Scenario& scenario, const Document& document) {
+  if (!scenario.model->steps_itself()) return;
+  for (const std::string key : {"integrator", "tolerance"})
+    if (document.find({"time", key}) != nullptr)
+      throw LocatedError(
+          document.locate("time." + key),
+          fmt::format("the model {} makes its own steps, and has no integrator{}",
+                      scenario.model_type, key == "tolerance" ? " with a tolerance" : ""),
+          "time." + key);
+}
+
 void fill_defaults_on_a_line(Scenario& scenario) {
   if (scenario.output.history == 0)
     scenario.output.history = std::max<std::int64_t>(
@@ -95,9 +107,11 @@ void fill_defaults_in_space(Scenario& scenario) {
 
 /// What the defaults depend on is known only now.
 void fill_defaults(Scenario& scenario, const Catalogue& catalogue) {
-  if (!scenario.time.tolerance)
-    scenario.time.tolerance =
-        entry_named(catalogue.integrators, scenario.time.integrator).default_tolerance;
+  auto& time = scenario.time;
+  if (time.integrator.empty() && !scenario.model->steps_itself())
+    time.integrator = "velocity_verlet";
+  if (!time.tolerance && !time.integrator.empty())
+    time.tolerance = entry_named(catalogue.integrators, time.integrator).default_tolerance;
   auto& output = scenario.output;
   if (!output.every) output.every = scenario.time.end / 10;
   if (*output.every > scenario.time.end) output.every = scenario.time.end;
@@ -129,6 +143,15 @@ const Scenario::Checks& Scenario::Check::of(Frame frame) const {
   return frame == Frame::eulerian && eulerian.has_limits() ? eulerian : lagrangian;
 }
 
+Triple Scenario::periods() const {
+  Triple periods{};
+  for (const std::string& axis : domain.periodic) {
+    const auto d = static_cast<std::size_t>(axis.front() - 'x');
+    periods[d] = domain.upper[d] - domain.lower[d];
+  }
+  return periods;
+}
+
 Scenario read_scenario(const Document& document, const Catalogue& catalogue) {
   Scenario scenario;
   Reader reader(document);
@@ -138,6 +161,7 @@ Scenario read_scenario(const Document& document, const Catalogue& catalogue) {
   reader.finish();
   check_line_or_space(scenario, document);
   check_together(scenario, document);
+  check_integrator(scenario, document);
   check_comparison(scenario.compare, document);
   fill_defaults(scenario, catalogue);
   return scenario;

@@ -54,7 +54,7 @@ struct Scenario {
   NeighboursSection neighbours;
 
   struct Time {
-    std::string integrator = "velocity_verlet";
+    std::string integrator;         ///< empty for models that make their own steps
     std::optional<double> courant;  ///< Courant number of a step, in space
     std::optional<double> step;     ///< longest step; in space there may be none
     double end = 0;
@@ -92,6 +92,9 @@ struct Scenario {
   } check;
 
   ComparisonSection compare;  ///< for `mote compare` alone; no run depends on it
+
+  /// Lengths of the domain along its periodic axes, 0 along others.
+  Triple periods() const;
 
   Constants constants_by_name() const { return {constants.begin(), constants.end()}; }
 };

@@ -39,7 +39,7 @@ class SchemaWriter final : public Description {
   void numbers(const Key& key, std::vector<double>&) override {
     add(key, {{"type", "array"}, {"items", numeric("number", {})}}, Json());
   }
-  void expression(const Key& key, std::string& value) override {
+  void expression(const Key& key, std::string& value, std::string_view) override {
     add(key, {{"type", {"number", "string"}}}, Json(value));
   }
   void choice(const Key& key, std::string& value, const Choices& choices) override {

@@ -39,7 +39,7 @@ void Writer::numbers(const Key& key, std::vector<double>& values) {
   out_ << YAML::EndSeq;
 }
 
-void Writer::expression(const Key& key, std::string& value) { text(key, value); }
+void Writer::expression(const Key& key, std::string& value, std::string_view) { text(key, value); }
 
 void Writer::choice(const Key& key, std::string& value, const Choices&) {
   if (!value.empty()) entry(key.name, value);

@@ -23,7 +23,7 @@ class Writer final : public Description {
   void flag(const Key& key, bool& value) override;
   void text(const Key& key, std::string& value) override;
   void numbers(const Key& key, std::vector<double>& values) override;
-  void expression(const Key& key, std::string& value) override;
+  void expression(const Key& key, std::string& value, std::string_view variables) override;
   void choice(const Key& key, std::string& value, const Choices& choices) override;
   void variant(const Key& key, std::string& value, const Choices& choices,
                const std::function<void(const std::string&)>& rest) override;

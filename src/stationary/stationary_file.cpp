@@ -22,7 +22,7 @@ void describe_model(Description& d, StationaryFile& file) {
   d.variant({"potential", "V, in units with hbar^2/2m = 1", true}, file.potential, potentials,
             [&](const std::string& potential) {
               if (potential == "formula")
-                d.expression({"formula", "V as a formula in x", true}, file.formula);
+                d.expression({"formula", "V as a formula in x", true}, file.formula, "x");
               if (potential != "infinite_well")
                 d.number({"decay",
                           "k of the tails e^(-kx) beyond the ends; default: x of the end for "

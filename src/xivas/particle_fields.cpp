@@ -166,7 +166,7 @@ OwnMotion<D> ParticleFields<D>::mean_motion(Index i) const {
       vectors_of<D>(particles_.velocity).col(i) - streamlines_.velocity(start),
       vectors_of<D>(particles_.acceleration).col(i) - streamlines_.acceleration(start)};
   const Passage<D> end = streamlines_.follow(place, start.cell, step_, own);
-  const double beyond = end.left ? step_ - end.time : 0;
+  const double beyond = end.left ? end.time.lacks(step_) : 0;
   return {(end.position - place + beyond * streamlines_.velocity(end)) / step_,
           (end.gain + beyond * streamlines_.acceleration(end)) / step_};
 }

@@ -30,11 +30,13 @@ double reach(const Mat<D>& gradient, const Vec<D>& velocity, double time) {
   return velocity.norm() * (growth == 0 ? time : std::expm1(growth * time) / growth);
 }
 
+/// Not numbers have no finite square either.
 template <int D>
-void refuse_what_is_not_finite(const Mat<D>& gradient, const Vec<D>& velocity) {
-  if (gradient.allFinite() && velocity.allFinite()) return;
-  throw NumericalFailure("the velocity on a streamline is not finite", {},
-                         "values at points of the mesh are not finite, or much too large");
+void refuse_what_is_too_large(const Mat<D>& gradient, const Vec<D>& velocity) {
+  if (std::isfinite(gradient.squaredNorm()) && std::isfinite(velocity.squaredNorm())) return;
+  throw NumericalFailure(
+      "the square of the velocity on a streamline or of its gradient is not finite", {},
+      "values at points of the mesh are not finite, or much too large");
 }
 
 template <int D>
@@ -56,23 +58,28 @@ template <int D>
 Passage<D> Streamlines<D>::follow(const Vec<D>& from, Index cell, double time,
                                   const OwnMotion<D>& own) const {
   Passage<D> at{.position = from, .cell = cell, .own = own};
+  continue_to(time, at);
+  return at;
+}
+
+template <int D>
+void Streamlines<D>::continue_to(double time, Passage<D>& at) const {
   Index standing = 0;  // crossings since time went on: at an edge or a corner
-  while (!at.left && at.time < time) {
+  while (!at.left && at.time.value() < time) {
     const Mat<D> gradient = velocity_.gradient(at.cell);
     const Vec<D> velocity = this->velocity(at);
-    refuse_what_is_not_finite<D>(gradient, velocity);
-    const double remaining = time - at.time;
+    refuse_what_is_too_large<D>(gradient, velocity);
+    const double remaining = at.time.lacks(time);
     if (stays(gradient, velocity, at, remaining)) {
       finish_within(gradient, velocity, remaining, at);
-      at.time = time;
+      at.time = CompensatedSum(time);
     } else {
-      const double before = at.time;
+      const double before = at.time.value();
       go_on(gradient, velocity, remaining, at);
-      standing = at.time > before ? 0 : standing + 1;
+      standing = at.time.value() > before ? 0 : standing + 1;
       refuse_endless_walk(standing, velocity_.mesh());
     }
   }
-  return at;
 }
 
 template <int D>
@@ -112,7 +119,7 @@ void Streamlines<D>::go_on(const Mat<D>& gradient, const Vec<D>& velocity, doubl
   }
   add_gain(part * path.duration(), path.integral(part), at);
   at.position += path.displacement(part);
-  at.time += part * path.duration();
+  at.time.add(part * path.duration());
   if (exit == nullptr) return;
   at.left = exit->neighbour == no_cell;
   if (at.left) at.outward = exit->normal;

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "mote/particles/compensated_sum.hpp"
 #include "mote/xivas/nodal_field.hpp"
 
 namespace mote {
@@ -17,7 +18,7 @@ template <int D>
 struct Passage {
   Vec<D> position;
   Index cell;                       ///< that it is in, or left the mesh from
-  double time = 0;                  ///< how long it was under way
+  CompensatedSum time = {};         ///< how long it was under way
   bool left = false;                ///< whether it came to the hull, where it stays
   Vec<D> outward = Vec<D>::Zero();  ///< normal of the hull where it left
   int crossings = 0;                ///< of faces
@@ -52,6 +53,9 @@ class Streamlines {
   /// NumericalFailure for values that are not finite.
   Passage<D> follow(const Vec<D>& from, Index cell, double time,
                     const OwnMotion<D>& own = {}) const;
+
+  /// Goes on with a passage that is in the mesh until it was under way for so long, or left.
+  void continue_to(double time, Passage<D>& at) const;
 
   /// The largest part of the height of a cell that its velocities go through in so much time: the
   /// Courant number of a step on this mesh.

@@ -49,6 +49,11 @@ TEST(Stationary, RefusesWhatDoesNotFit) {
   EXPECT_THAT(
       place.solve({"--set", "model.potential=coulomb", "--set", "domain.lower=[0.5]"}).errors,
       HasSubstr("the domain must start"));
+  for (const char* variable : {"y", "z", "r", "t"}) {
+    const std::string formula = std::string("model.formula=x + ") + variable;
+    EXPECT_THAT(place.solve({"--set", "model.potential=formula", "--set", formula}).errors,
+                HasSubstr(std::string("a formula in x alone, and this names ") + variable));
+  }
   EXPECT_THAT(place.solve({"--set", "time.end=1"}).errors, HasSubstr("unknown key 'time'"));
 }
 

@@ -50,6 +50,38 @@ TEST(TracersExact, LinearFlowsAreRecognised) {
   }
 }
 
+/// Velocities of places far from the origin keep the digits that the places have.
+TEST(TracersExact, LinearFlowsFarFromTheOriginKeepTheirDigits) {
+  constexpr double far = 0x1p20;
+  Start shear([](const Vec<2>&) { return Vec<2>(0, 0); });
+  const auto place = shear.cloud.position();
+  for (std::size_t i = 0; i < 36; ++i) {
+    place[2 * i + 1] += far;
+    shear.cloud.values("velocity")[2 * i] = place[2 * i + 1] - far;
+  }
+  const Table end = shear.solution("linear_flow")->of_particles(3);
+  for (std::size_t i = 0; i < 36; ++i) {
+    const double y = place[2 * i + 1] - far;
+    EXPECT_NEAR(end[0].values[i], place[2 * i] + 3 * y, 1e-14);
+    EXPECT_NEAR(end[2].values[i], y, 1e-14);
+  }
+}
+
+TEST(TracersExact, KnowWhatPeriodicSidesMean) {
+  const auto periodic = [](const Velocity& velocity, int axis, double upper) {
+    Start start(velocity);
+    start.start.lower = {-1.5, -1.5};
+    start.start.upper = {upper, upper};
+    start.start.periodic[static_cast<std::size_t>(axis)] = true;
+    return start;
+  };
+  const Velocity shear = [](const Vec<2>& x) { return Vec<2>(2 * x[1], 0); };
+  EXPECT_NO_THROW(periodic(shear, 0, 3).solution("linear_flow"));
+  EXPECT_THROW(periodic(shear, 1, 3).solution("linear_flow"), InputError);
+  EXPECT_NO_THROW(periodic(vortex, 0, 3).solution("circular_flow"));
+  EXPECT_THROW(periodic(vortex, 0, 1.5).solution("circular_flow"), InputError);
+}
+
 TEST(TracersExact, VorticesAreRecognised) {
   const Start start(vortex);
   const Table end = start.solution("circular_flow")->of_particles(2);

@@ -32,7 +32,8 @@ double residual(const FlowSolution& flow, int dimension, double time) {
 LinearVelocity swirl() {
   LinearVelocity velocity{.dimension = 3};
   velocity.gradient << -0.1, -2, 0.3, 2, -0.2, 0, 0, 0.5, 0.3;
-  velocity.at_origin << 1, 0, -0.5;
+  velocity.centre << 0.5, -0.25, 0;
+  velocity.at_centre << 1, 0, -0.5;
   return velocity;
 }
 

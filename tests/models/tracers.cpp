@@ -1,8 +1,10 @@
 #include "mote/models/tracers.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "mote/integrators/runge_kutta_4.hpp"
@@ -16,13 +18,17 @@ using Formulas = std::map<std::string, PlaceFunction>;
 const Formulas& formulas() {
   static const Formulas known{
       {"x", [](const Triple& p, double) { return p[0]; }},
+      {"y", [](const Triple& p, double) { return p[1]; }},
       {"-y", [](const Triple& p, double) { return -p[1]; }},
       {"1", [](const Triple&, double) { return 1.0; }},
       {"0", [](const Triple&, double) { return 0.0; }},
       {"cos t", [](const Triple&, double t) { return std::cos(t); }},
       {"sin y", [](const Triple& p, double) { return std::sin(p[1]); }},
       {"r^2", [](const Triple& p, double) { return p[0] * p[0] + p[1] * p[1]; }},
-      {"nan", [](const Triple&, double) { return std::nan(""); }},
+      {"1/x", [](const Triple& p, double) { return 1 / p[0]; }},
+      {"sqrt(0.6 - x)", [](const Triple& p, double) { return std::sqrt(0.6 - p[0]); }},
+      {"max(0, x - 0.6)", [](const Triple& p, double) { return std::max(0.0, p[0] - 0.6); }},
+      {"sqrt(-t)", [](const Triple&, double t) { return std::sqrt(-t); }},
   };
   return known;
 }
@@ -57,6 +63,17 @@ void take_steps(Tracers<2>& tracers, int steps, double step, double start = 0) {
   }
 }
 
+void expect_refused(const TracersOptions& options, SpaceSetup setup, const std::string& key,
+                    const std::string& words) {
+  try {
+    Tracers<2>(options, std::move(setup));
+    FAIL() << "nothing was refused";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.key(), key);
+    EXPECT_THAT(error.what(), testing::HasSubstr(words));
+  }
+}
+
 double reading(const Tracers<2>& tracers, const std::string& name) {
   for (const Reading& one : tracers.readings())
     if (one.name == name) return one.value;
@@ -72,6 +89,19 @@ double error_of_rotation(const Tracers<2>& tracers, double time) {
     const double c = std::cos(time), s = std::sin(time);
     worst = std::max(worst, std::hypot(position[k] - c * start[k] + s * start[k + 1],
                                        position[k + 1] - s * start[k] - c * start[k + 1]));
+  }
+  return worst;
+}
+
+/// The largest distance from places moved by the velocity (y, 0), or from images of them two apart.
+double error_of_periodic_shear(const Tracers<2>& tracers, double time) {
+  const auto start = square().position;
+  const auto position = tracers.cloud().position();
+  double worst = 0;
+  for (std::size_t k = 0; k < start.size(); k += 2) {
+    const double way = start[k] + time * start[k + 1] - position[k];
+    worst = std::max(
+        {worst, std::abs(way - 2 * std::round(way / 2)), std::abs(position[k + 1] - start[k + 1])});
   }
   return worst;
 }
@@ -129,19 +159,24 @@ TEST(Tracers, ComeInAgainWhereTheBoxIsPeriodic) {
   for (const TracerMethod method : {TracerMethod::streamlines, TracerMethod::rates}) {
     SpaceSetup setup = square();
     setup.periodic[0] = true;
-    TracersOptions options = with({"sin y", "0"});
+    TracersOptions options = with({"y", "0"});
     options.method = method;
-    options.mesh.jitter = 0;
     Tracers<2> tracers(options, std::move(setup));
     take_steps(tracers, 1, 20);
-    const auto start = square().position;
-    for (std::size_t k = 0; k < start.size(); k += 2) {
-      const double y = tracers.cloud().position()[k + 1];
-      const double way = start[k] + 20 * std::sin(y) - tracers.cloud().position()[k];
-      EXPECT_NEAR(y, start[k + 1], 1e-13);
-      EXPECT_NEAR(way / 2, std::round(way / 2), method == TracerMethod::rates ? 1e-13 : 0.05);
-    }
+    EXPECT_LT(error_of_periodic_shear(tracers, 20), 1e-13);
   }
+}
+
+/// Some eps T |u|, however often a tracer came in again.
+TEST(Tracers, KeepTheirTimeThroughManySides) {
+  SpaceSetup setup = square();
+  setup.periodic[0] = true;
+  Tracers<2> tracers(with({"y", "0"}), std::move(setup));
+  const double time = 3000;
+  take_steps(tracers, 1, time);
+  EXPECT_GT(reading(tracers, "crossings"), 5000);
+  EXPECT_LT(error_of_periodic_shear(tracers, time),
+            2 * std::numeric_limits<double>::epsilon() * time * 0.54);
 }
 
 TEST(Tracers, GoOnFromASnapshotWithTheSameBits) {
@@ -166,6 +201,35 @@ TEST(Tracers, ReportHowMuchOfInvariantsIsKept) {
   EXPECT_LT(reading(tracers, "place_kept"), -0.5);
 }
 
+/// Of a value that was 0 at the start nothing is kept.
+TEST(Tracers, MeasureInvariantsByTheirLargestValueEver) {
+  TracersOptions options = with({"1", "0"});
+  options.invariants = {{"none", "max(0, x - 0.6)"}};
+  Tracers<2> tracers(options, square());
+  EXPECT_EQ(reading(tracers, "none_kept"), 1);
+  take_steps(tracers, 1, 0.3);
+  EXPECT_EQ(reading(tracers, "none_kept"), 0);
+}
+
+TEST(Tracers, RefuseInvariantsWithoutValue) {
+  TracersOptions options = with({"1", "0"});
+  options.invariants = {{"good", "x"}, {"bad", "sqrt(0.6 - x)"}};
+  Tracers<2> tracers(options, square());
+  EXPECT_NEAR(reading(tracers, "bad_kept"), 1, 0);
+  take_steps(tracers, 1, 0.3);
+  try {
+    tracers.readings();
+    FAIL() << "an invariant without value was told";
+  } catch (const NumericalFailure& failure) {
+    EXPECT_THAT(failure.what(), testing::HasSubstr("'bad' of tracer 8"));
+    EXPECT_EQ(failure.particles(), std::vector<Index>{8});
+  }
+  SpaceSetup beyond = square();
+  beyond.position[14] = 0.7;
+  expect_refused(options, std::move(beyond), "model.invariants.1.formula",
+                 "starts at (0.7, -0.54)");
+}
+
 TEST(Tracers, TakeStepsByTheCourantNumberOfTheMesh) {
   Tracers<2> tracers(with({"1", "0"}), square());
   const double step = tracers.longest_step(0, 25);
@@ -175,16 +239,53 @@ TEST(Tracers, TakeStepsByTheCourantNumberOfTheMesh) {
 
 TEST(Tracers, RefuseWhatDoesNotFit) {
   EXPECT_THROW(Tracers<2>(with({"1"}), square()), InputError);
-  EXPECT_THROW(Tracers<2>(with({"nan", "1"}), square()), NumericalFailure);
   SpaceSetup periodic = square();
   periodic.periodic[0] = true;
   EXPECT_THROW(Tracers<2>(with({"x", "0"}), std::move(periodic)), InputError);
   SpaceSetup walled = square();
   walled.wall_places.resize(1);
   EXPECT_THROW(Tracers<2>(with({"1", "0"}), std::move(walled)), InputError);
-  TracersOptions twice = with({"1", "0"});
-  twice.invariants = {{"a", "x"}, {"a", "1"}};
-  EXPECT_THROW(twice.check(), InputError);
+}
+
+TEST(Tracers, RefuseVelocitiesWithoutValue) {
+  expect_refused(with({"1/x", "0"}), square(), "model.velocity",
+                 "no value at (0, -1) at the start");
+  TracersOptions rates = with({"1/x", "0"});
+  rates.method = TracerMethod::rates;
+  EXPECT_NO_THROW(Tracers<2>(rates, square()));  // no tracer starts at x = 0
+  SpaceSetup amid = square();
+  amid.position[0] = 0;
+  expect_refused(rates, std::move(amid), "model.velocity", "no value at (0, -0.54) at the start");
+  Tracers<2> later(with({"sqrt(-t)", "0"}), square());
+  EXPECT_THROW(take_steps(later, 1, 1), NumericalFailure);
+}
+
+TEST(Tracers, HaveInvariantsWithNamesOfColumns) {
+  const auto check = [](std::vector<std::string> names) {
+    TracersOptions options = with({"1", "0"});
+    for (const std::string& name : names) options.invariants.push_back({name, "x"});
+    options.check();
+  };
+  EXPECT_NO_THROW(check({"a", "b_2", "3"}));
+  EXPECT_THROW(check({"a", "a"}), InputError);
+  for (const char* name : {"a/b", "../x", "a,b", "a b", ""})
+    EXPECT_THROW(check({name}), InputError);
+}
+
+TEST(TracersRecipe, KnowsItsStepsAndTheMemoryOfItsMesh) {
+  TracersRecipe recipe;
+  EXPECT_TRUE(recipe.steps_itself());
+  EXPECT_TRUE(std::isinf(recipe.largest_courant_number()));
+  recipe.options.mesh.spacing = 0.02;
+  const OtherMemory memory = recipe.other_memory(square());
+  EXPECT_EQ(memory.key, "model.mesh.spacing");
+  EXPECT_NEAR(memory.bytes / (101 * 101), 1e3, 500);
+  recipe.options.mesh.spacing = 1e-6;
+  EXPECT_THROW(recipe.other_memory(square()), InputError);
+  recipe.options.method = TracerMethod::rates;
+  EXPECT_EQ(recipe.other_memory(square()).bytes, 0);
+  EXPECT_FALSE(recipe.steps_itself());
+  EXPECT_EQ(recipe.largest_courant_number(), 1);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ class Settings final : public Description {
   void flag(const Key&, bool&) override {}
   void text(const Key&, std::string&) override {}
   void numbers(const Key&, std::vector<double>&) override {}
-  void expression(const Key&, std::string&) override {}
+  void expression(const Key&, std::string&, std::string_view) override {}
   void variant(const Key&, std::string&, const Choices&,
                const std::function<void(const std::string&)>&) override {}
   void section(const Key&, const std::function<void()>& body) override { body(); }

@@ -1,5 +1,6 @@
 #include "mote/xivas/streamlines.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -54,13 +55,14 @@ struct Linear {
 Linear<2> rotation() { return {Mat<2>{{0, -1}, {1, 0}}}; }
 Linear<3> screw() { return {Mat<3>{{-0.2, -2, 0.3}, {2, -0.1, 0}, {0, 0.1, -0.3}}}; }
 
-/// The largest error of points followed in a linear field for so long, in so many steps.
+/// The largest error of so many points followed in a linear field for so long, in so many steps.
 template <int D>
-double worst_error(const Linear<D>& field, double jitter, double time, int steps) {
+double worst_error(const Linear<D>& field, double jitter, double time, int steps,
+                   int points = 100) {
   const Flow<D> flow(lattice_mesh<D>(D == 2 ? 12 : 6, jitter), field);
   std::mt19937_64 random(3);
   double worst = 0;
-  for (int n = 0; n < 100; ++n) {
+  for (int n = 0; n < points; ++n) {
     const Vec<D> from = random_place<D>(random, 0.25, 0.75);
     const auto end = flow.follow_in_steps(from, time, steps);
     EXPECT_FALSE(end.left);
@@ -75,6 +77,15 @@ TEST(Streamlines, OfLinearFieldsAreExactForAnyStep) {
       EXPECT_LT(worst_error(rotation(), jitter, 2 * std::numbers::pi, steps), 1e-13);
       EXPECT_LT(worst_error(screw(), jitter, 5, steps), 1e-13);
     }
+}
+
+/// What rounding of the time and of the gradients on the way explains: some eps T |u|, however many
+/// cells are crossed.
+TEST(Streamlines, KeepTheirTimeOverManyCrossings) {
+  const double time = 400 * std::numbers::pi, speed = 0.25 * std::numbers::sqrt2;
+  const double unit = std::numeric_limits<double>::epsilon() * time * speed;
+  EXPECT_LT(worst_error(rotation(), 0, time, 1, 10), 2 * unit);
+  EXPECT_LT(worst_error(rotation(), 0.3, time, 1, 10), 2 * unit);
 }
 
 TEST(Streamlines, OfConstantFieldsAreExact) {
@@ -156,7 +167,7 @@ void expect_none_lost(const Flow<D>& flow, double courant, int count) {
     for (int s = 0; s < 3; ++s) {
       at = flow.lines.follow(at.position, at.cell, step);
       EXPECT_FALSE(at.left);
-      EXPECT_EQ(at.time, step);
+      EXPECT_EQ(at.time.value(), step);
       for (const auto& face : flow.mesh.cell(at.cell).faces)
         ASSERT_LE(face.distance(at.position), flow.mesh.tolerance());
     }
@@ -209,11 +220,12 @@ TEST(Streamlines, MayTouchAFace) {
 
 TEST(Streamlines, EndAtStagnationPoints) {
   const Linear<2> saddle{Mat<2>{{-1, 0}, {0, 1}}};
-  for (const double jitter : {0.0, 0.3}) {
+  const auto moved = [&](double jitter, double time) {
     const Flow<2> flow(lattice_mesh<2>(8, jitter), saddle);
-    const auto still = flow.follow({0.5, 0.5}, 1e3);
-    EXPECT_LT((still.position - Vec<2>(0.5, 0.5)).norm(), jitter > 0 ? 1 : 1e-15);
-  }
+    return (flow.follow({0.5, 0.5}, time).position - Vec<2>(0.5, 0.5)).norm();
+  };
+  EXPECT_LT(moved(0, 1e3), 1e-15);  // it is a point of the mesh
+  EXPECT_LT(moved(0.3, 20), 8 * std::numeric_limits<double>::epsilon() * std::exp(20));
   const Linear<3> sink{Mat<3>{{-1, 0, 0}, {0, -2, 0}, {0, 0, -3}}};
   const Flow<3> flow(lattice_mesh<3>(4, 0), sink);
   EXPECT_LT((flow.follow({0.9, 0.8, 0.1}, 100).position - Vec<3>::Constant(0.5)).norm(), 1e-15);
@@ -223,7 +235,7 @@ TEST(Streamlines, SayWhenAndWhereTheyLeave) {
   const Flow<2> flow(lattice_mesh<2>(8, 0.3), [](const Vec<2>&) { return Vec<2>(2, 0.25); });
   const auto end = flow.follow({0.5, 0.5}, 7);
   EXPECT_TRUE(end.left);
-  EXPECT_NEAR(end.time, 0.25, 1e-14);
+  EXPECT_NEAR(end.time.value(), 0.25, 1e-14);
   EXPECT_LT((end.position - Vec<2>(1, 0.5625)).norm(), 2 * flow.mesh.tolerance());
 }
 
@@ -241,6 +253,19 @@ TEST(Streamlines, IntegrateAccelerations) {
 TEST(Streamlines, RefuseWhatIsNotFinite) {
   const Flow<2> flow(lattice_mesh<2>(3, 0), [](const Vec<2>&) { return Vec<2>(std::nan(""), 0); });
   EXPECT_THROW(flow.follow({0.5, 0.4}, 1), NumericalFailure);
+}
+
+TEST(Streamlines, RefuseWhatHasNoFiniteSquareAndSaySo) {
+  const auto of_speed = [](double speed) {
+    return Flow<2>(lattice_mesh<2>(3, 0), [=](const Vec<2>&) { return Vec<2>(speed, 0); });
+  };
+  EXPECT_TRUE(of_speed(1e150).follow({0.5, 0.4}, 1).left);
+  try {
+    of_speed(1e200).follow({0.5, 0.4}, 1);
+    FAIL() << "followed a velocity without a finite square";
+  } catch (const NumericalFailure& failure) {
+    EXPECT_THAT(failure.what(), testing::HasSubstr("square of the velocity"));
+  }
 }
 
 TEST(FirstCrossing, IsNeverPassed) {
