@@ -76,12 +76,12 @@ void check_together(const Scenario& scenario, const Document& document) {
 /// Models that make their own steps leave nothing to an integrator.
 void check_integrator(const Scenario& scenario, const Document& document) {
   if (!scenario.model->steps_itself()) return;
-  for (const std::string key : {"integrator", "tolerance"})
+  for (const std::string key : {"integrator", "tolerance", "longest_step"})
     if (document.find({"time", key}) != nullptr)
       throw LocatedError(
           document.locate("time." + key),
           fmt::format("the model {} makes its own steps, and has no integrator{}",
-                      scenario.model_type, key == "tolerance" ? " with a tolerance" : ""),
+                      scenario.model_type, key == "integrator" ? "" : " with '" + key + "'"),
           "time." + key);
 }
 

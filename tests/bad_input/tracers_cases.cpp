@@ -63,7 +63,7 @@ const std::vector<ScenarioCase> cases{
      tracers({{10, "time: {step: 0.1, end: 0.2, integrator: @velocity_verlet}"}}),
      "the model tracers makes its own steps, and has no integrator"},
     {"tolerance_of_streamlines", tracers({{10, "time: {step: 0.1, end: 0.2, tolerance: @1e-9}"}}),
-     "the model tracers makes its own steps, and has no integrator with a tolerance"},
+     "the model tracers makes its own steps, and has no integrator with 'tolerance'"},
     {"long_steps_of_an_integrator", by_rates(10, "time: {courant: @2, end: 0.2}"),
      "'courant' must be greater than 0 and at most 1, and is 2"},
     {"no_courant_number", tracers({{10, "time: {courant: @0, end: 0.2}"}}),
