@@ -1,0 +1,52 @@
+#!/usr/bin/python3
+"""Discs of the pictures are those found pixel by pixel, and few large ones cost no more than many.
+
+    check_raster.py SCRIPTS
+"""
+import sys
+import time
+
+import numpy as np
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, sys.argv[1])
+from run_plots import raster
+
+LONGEST = 20  # seconds for the two pictures below; once minutes
+
+
+def pixel_by_pixel(window, places, values, radius, depth):
+    image = np.full((window.rows, window.columns), np.nan)
+    front = np.full(image.shape, np.inf)
+    rows, columns = np.mgrid[:window.rows, :window.columns]
+    for place, value, away in zip(places, values, depth):
+        column, row = np.floor((place - window.lower) / window.pixel)
+        distance = np.hypot(columns - column, rows - row) * window.pixel
+        hit = ((distance <= radius) | (distance == 0)) & (away <= front)
+        image[hit], front[hit] = value, away
+    return image
+
+
+def check_discs():
+    raster.PIXELS = 120
+    random = np.random.default_rng(1)
+    for count, radius in ((1, 0.5), (5, 0.2), (60, 0.1), (60, 1e-5)):
+        places, depth = random.random((count, 2)) * (1, 0.6), random.integers(0, 5, count) * 1.0
+        values = np.arange(count) * 1.0
+        window = raster.Raster(places.min(axis=0) - radius, places.max(axis=0) + radius)
+        expected = pixel_by_pixel(window, places, values, radius, depth)
+        assert np.isfinite(expected).sum() >= min(count, 40)
+        assert np.array_equal(window.discs(places, values, radius, depth), expected, equal_nan=True)
+
+
+def check_cost():
+    raster.PIXELS = 1000
+    start = time.perf_counter()
+    for places in (np.zeros((1, 2)), np.random.default_rng(1).random((100000, 2)) * 1e-3):
+        image = raster.Raster((-1, -1), (1, 1)).discs(places, places[:, 0], 1.0)
+        assert 0.7 < np.isfinite(image).mean() < 0.85  # a disc in a square
+    assert time.perf_counter() - start < LONGEST
+
+
+check_discs()
+check_cost()
