@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "mote/particles/failure.hpp"
 #include "mote/quantum/gauss_rules.hpp"
 
 namespace mote {
@@ -102,9 +103,14 @@ StationaryStates::StationaryStates(const SchroedingerProblem& problem, int count
   if (problem.intervals < 1 || count < 1 || count > 2 * problem.intervals)
     throw std::domain_error("n intervals have 2 n states");
   const SchroedingerMatrices matrices = schroedinger_matrices(problem);
+  if (!matrices.p.allFinite() || !matrices.q.allFinite())
+    throw not_solved("integrals of the wave functions are not finite");
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(-matrices.q, matrices.p);
+  if (solver.info() != Eigen::Success) throw not_solved("the eigenvalue problem has no solution");
   energies_ = solver.eigenvalues().head(count);
   nodal_ = matrices.nodal * solver.eigenvectors().leftCols(count);
+  if (!energies_.allFinite() || !nodal_.allFinite())
+    throw not_solved("energies or wave functions are not finite");
   for (int state = 0; state < count; ++state) {
     auto column = nodal_.col(state);
     const auto first = std::ranges::find_if(column, [&](double number) {

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
-"""Discs of the pictures are those found pixel by pixel, and few large ones cost no more than many.
+"""Discs of the pictures are those found pixel by pixel, and few large ones cost no more than many;
+what is observed stands on axes of its own.
 
-    check_raster.py SCRIPTS
+    check_pictures.py SCRIPTS
 """
 import sys
 import time
@@ -10,7 +11,7 @@ import numpy as np
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, sys.argv[1])
-from run_plots import raster
+from run_plots import flow, raster
 
 LONGEST = 20  # seconds for the two pictures below; once minutes
 
@@ -48,5 +49,19 @@ def check_cost():
     assert time.perf_counter() - start < LONGEST
 
 
+def check_histories():
+    history = flow.with_errors({"time": [0, 1], "step": [0, 1], "crossings": [0, 80],
+                                "courant_number": [0, 95], "share_inside": [1, 1],
+                                "radius_kept": [1, 1 - 2 ** -20]})
+    kinds = flow.observed(history, {"conservation": {}})
+    assert kinds == {"crossings": ["crossings"], "courant_number": ["courant_number"],
+                     flow.ERROR: ["radius_error"]}
+    assert history["radius_error"] == [0, 2 ** -20]
+    assert "share_inside" in flow.with_errors({"share_inside": [1, 0.5]})
+    for kind in ("crossings", "courant_number", "share_inside"):
+        assert flow.unit_of(kind, 2) == "1"
+
+
 check_discs()
 check_cost()
+check_histories()
