@@ -95,8 +95,8 @@ TEST(Stationary, ComparesWithNothingIfToldSo) {
   EXPECT_EQ(place.solve({"--set", "check=nothing"}).exit_code, 0);
   EXPECT_THAT(place.file("eigenvalues.csv"), StartsWith("state,energy\n1,10"));
   EXPECT_EQ(nlohmann::json::parse(place.file("summary.json"))["against"], "nothing");
-  EXPECT_THAT(place.solve({"--set", "check=something"}).errors,
-              HasSubstr("unknown against 'something'; there are: exact, nothing"));
+  EXPECT_THAT(place.solve({"--set", "check=foo"}).errors,
+              HasSubstr("unknown against 'foo'; there are: exact, nothing"));
 }
 
 TEST(Stationary, RefusesWhatDoesNotFit) {
