@@ -20,6 +20,7 @@ ERROR = "relative error"
 OUTLIERS = 0.2  # per cent of the particles at each end whose colour may be that of the limit
 STRAGGLERS = 2  # per cent of bodies beyond each end of an axis that are not shown
 SLANT = 0.35  # how far one metre away goes up and to the right in the view of three dimensions
+SLIMMEST = 1 / 20  # height over width of a panel, or width over height
 EXACT = {"s": 22, "facecolors": "none", "edgecolors": "black", "linewidths": 0.8}
 WIDTH = 7.0  # inches
 
@@ -55,6 +56,13 @@ def window(snapshot, places):
     return np.percentile(places, (outside, 100 - outside), axis=0)
 
 
+def widened(lower, upper, slimmest):
+    """Corners no closer along one axis than this share of the other's length, nor than rounding."""
+    least = max(slimmest * (upper - lower).max(), 1e-12 * np.abs([lower, upper]).max())
+    lacking = np.maximum(0, least - (upper - lower)) / 2
+    return lower - lacking, upper + lacking
+
+
 class Panel:
     """Particles in a plane: which of them, where, and how far away each is; and where some of them
     should be, if that is known."""
@@ -65,11 +73,9 @@ class Panel:
         self.fluid = snapshot.fluid[chosen]
         self.outlines = snapshot.outlines
         lower, upper = window(snapshot, self.places)
-        lower, upper = lower - self.radius, upper + self.radius
-        if "vorticity" in snapshot.fields:  # a few vortices may stand in a line
-            lacking = np.maximum(0, (upper - lower).max() / 2 - (upper - lower)) / 2
-            lower, upper = lower - lacking, upper + lacking
-        self.raster = Raster(lower, upper)
+        # A few vortices may stand in a line.
+        slimmest = 1 / 2 if "vorticity" in snapshot.fields else SLIMMEST
+        self.raster = Raster(*widened(lower - self.radius, upper + self.radius, slimmest))
         if snapshot.spacing < 16 * self.raster.pixel:  # gaps of single pixels would make patterns
             self.radius = snapshot.spacing / 2 ** 0.5
 

@@ -49,6 +49,14 @@ def check_cost():
     assert time.perf_counter() - start < LONGEST
 
 
+def check_windows():
+    """All of a panel far away at one place along an axis."""
+    for lower, upper in (((1e200, 0), (1e200, 1)), ((0, 0), (1e-3, 1)), ((3, 3), (3, 3))):
+        corners = flow.widened(np.array(lower), np.array(upper), flow.SLIMMEST)
+        width, height = np.subtract(corners[1], corners[0])
+        assert flow.SLIMMEST <= width / height * 1.001 and 1.001 * height / width >= flow.SLIMMEST
+
+
 def check_histories():
     history = flow.with_errors({"time": [0, 1], "step": [0, 1], "crossings": [0, 80],
                                 "courant_number": [0, 95], "share_inside": [1, 1],
@@ -64,4 +72,5 @@ def check_histories():
 
 check_discs()
 check_cost()
+check_windows()
 check_histories()
