@@ -2,7 +2,7 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from run_plots.flow import draw_histories, observed
+from run_plots.flow import EXACT, draw_histories, observed
 from run_plots.reading import FlowSnapshot, label, read_columns
 
 MOST_PATHS = 20
@@ -23,19 +23,22 @@ def planes_of(paths):
     return [(0, 1)] if flat else [(0, 1), (0, 2)]
 
 
-def draw_paths(axes, paths, plane, summary):
-    """Through the snapshots, with a dot where each body is at the end."""
+def draw_paths(axes, paths, plane, summary, exact):
+    """Through the snapshots, with a dot where each body is at the end, and a circle where it should
+    be."""
     for k in range(paths.shape[1]):
         line, = axes.plot(*paths[:, k, plane].T, linewidth=0.8)
         axes.plot(*paths[-1, k, plane], "o", markersize=4, color=line.get_color(),
                   label=f"body {k + 1}")
+    if exact is not None:
+        axes.scatter(*exact[:, plane].T, zorder=3, label="exact places", **EXACT)
     axes.set_aspect("equal", "datalim")
     axes.set_xlabel(label("xyz"[plane[0]], "m", summary))
     axes.set_ylabel(label("xyz"[plane[1]], "m", summary))
     axes.grid(color="0.92")
 
 
-def draw_orbits(folder, snapshots, shown, summary):
+def draw_orbits(folder, snapshots, shown, summary, exact):
     until = snapshots[:snapshots.index(shown) + 1]
     paths = np.array([FlowSnapshot(path, ()).position for path in until])
     history = read_columns(folder / "history.csv")
@@ -45,7 +48,7 @@ def draw_orbits(folder, snapshots, shown, summary):
                         layout="constrained")
     above, below = figure.subfigures(2, 1, height_ratios=(WIDTH, max(curves, 0.01)))
     for axes, plane in zip(above.subplots(1, len(planes), squeeze=False).flat, planes):
-        draw_paths(axes, paths, plane, summary)
+        draw_paths(axes, paths, plane, summary, exact)
     above.axes[0].legend(fontsize=7, frameon=False)
     draw_histories(below, history, kinds, paths.shape[2], summary)
     return figure

@@ -57,6 +57,14 @@ def read_columns(path):
     return {name: [float(row[name]) for row in rows] for name in rows[0]} if rows else {}
 
 
+def read_exact_places(folder, summary):
+    """Where some of the particles should be at the end, a row each; none of a run that broke off,
+    or without such a solution."""
+    columns = {} if "failure" in summary else read_columns(folder / "exact.csv")
+    axes = [columns[name] for name in ("position_x", "position_y", "position_z") if name in columns]
+    return np.transpose(axes) if axes else None
+
+
 def read_summary(folder):
     """The certificate; what can be said without one for a run that has not ended."""
     path = folder / "summary.json"
@@ -64,5 +72,8 @@ def read_summary(folder):
 
 
 def label(name, unit, summary):
-    """The name with its unit; with `units: none` the numbers are in units of the user's own."""
+    """The name with its unit; with `units: none` the numbers are in units of the user's own. Pure
+    numbers have the unit 1."""
+    if unit == "1":
+        return f"{name} [–]"
     return f"{name} [{unit if summary.get('units') == 'SI' else 'own units'}]"

@@ -29,9 +29,13 @@ const FolderKind solved_folder{
     "# The model without time as it was solved, with every default.",
     {"eigenvalues.csv", "wave_functions.csv", "summary.json", "report.md", picture_name}};
 
-StationaryResult result_of(const StationaryFile& file, const Document& document) {
+/// With `strict`, warnings are errors.
+StationaryResult result_of(const StationaryFile& file, const Document& document, bool strict) {
   try {
-    return StationaryResult(file);
+    StationaryResult result(file);
+    if (strict && !result.warnings().empty())
+      throw InputError("model.states", result.warnings().front() + " (a warning without --strict)");
+    return result;
   } catch (const InputError& error) {
     throw LocatedError(document.locate(error.key()), error.what());
   }
@@ -44,19 +48,23 @@ Certificate certificate_of(const StationaryFile& file, const StationaryResult& r
                           .differential_operator = "contevol_1",
                           .integrator = "none",
                           .model = file.type,
-                          .against = file.potential == "formula" ? "nothing" : file.potential,
+                          .against = exact_states_of(file) ? file.potential : "nothing",
                           .dimension = file.dimension,
                           .particles = file.nodes};
   certificate.remarks = {result.remark()};
+  for (const std::string& warning : result.warnings())
+    certificate.warnings.push_back(file.name + ": warning: " + warning);
   certificate.checks = result.checks();
   return certificate;
 }
 
-/// The name of the picture, if it came out; else a warning.
+/// The name of the picture, if it came out; else a warning, which summary.json has too. That is
+/// there before, as the picture takes its title from it.
 std::string draw(const fs::path& folder, Certificate& certificate) {
   const std::string problem = draw_pictures(shared_folder() / "plot", folder);
   if (problem.empty()) return picture_name;
   certificate.warnings.push_back("no picture: " + problem);
+  write_file(folder / "summary.json", summary_json(certificate));
   return "";
 }
 
@@ -73,7 +81,7 @@ void print_outcome(const Certificate& certificate, const Table& energies, const 
 int solve(const Document& document, const RunOptions& options) {
   StationaryFile file = read_stationary(document);
   const auto start = std::chrono::steady_clock::now();
-  const StationaryResult result = result_of(file, document);
+  const StationaryResult result = result_of(file, document, options.strict);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   const fs::path folder = output_folder(options, file.name);
   const ClaimedFolder claimed(folder, options.overwrite ? Existing::replace : Existing::refuse,
@@ -86,7 +94,6 @@ int solve(const Document& document, const RunOptions& options) {
   certificate.wall_seconds = took.count();
   write_file(folder / "summary.json", summary_json(certificate));
   const std::string picture = file.picture ? draw(folder, certificate) : "";
-  if (!certificate.warnings.empty()) write_file(folder / "summary.json", summary_json(certificate));
   write_file(folder / "report.md", stationary_markdown(certificate, result.energies(), picture));
   for (const auto& warning : certificate.warnings) fmt::print(stderr, "{}\n", one_line(warning));
   if (!options.quiet) print_outcome(certificate, result.energies(), folder);

@@ -37,7 +37,8 @@ class ExactSolution {
   /// material a field that has no meaning there is NaN.
   virtual Table at_places(std::span<const double> position, double time) const = 0;
 
-  /// The fields along the line as a curve to draw; the first column is the position.
+  /// The fields along the line as a curve to draw; the first column is the position. In space some
+  /// particles to draw, whose first columns are their places.
   virtual Table curve(double time) const = 0;
 };
 

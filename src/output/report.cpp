@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "mote/output/certificate.hpp"
 
@@ -16,9 +18,25 @@ std::string verdict(const Certificate& c) {
   return c.passed() ? "**Passed: every check holds.**" : "**A check failed.**";
 }
 
-std::string limit_in_words(const CheckResult& check) {
-  return fmt::format("at {} {:.3g}", check.sense == CheckResult::Sense::at_most ? "most" : "least",
-                     check.limit);
+/// The same number; a NaN without a sign, which has no meaning.
+double plain(double number) {
+  return std::isnan(number) ? std::numeric_limits<double>::quiet_NaN() : number;
+}
+
+struct CheckWords {
+  std::string value, limit;
+};
+
+/// With three digits, or as many more as tell the value from its limit.
+CheckWords words_of(const CheckResult& check) {
+  CheckWords words;
+  for (int digits = 3; words.value == words.limit && digits <= 17; ++digits) {
+    words = {fmt::format("{:.{}g}", plain(check.value), digits),
+             fmt::format("{:.{}g}", check.limit, digits)};
+    if (check.value == check.limit) break;
+  }
+  words.limit.insert(0, check.sense == CheckResult::Sense::at_most ? "at most " : "at least ");
+  return words;
 }
 
 void add_errors(Out out, const Certificate& c) {
@@ -28,8 +46,8 @@ void add_errors(Out out, const Certificate& c) {
                  "\n\n| field | L1 | L2 | max | points compared |\n|---|---|---|---|---|\n",
                  c.time, c.against);
   for (const ErrorNorms& e : c.errors)
-    fmt::format_to(out, "| {} | {:.3g} | {:.3g} | {:.3g} | {} of {} |\n", e.field, e.l1, e.l2,
-                   e.max, e.compared, c.particles);
+    fmt::format_to(out, "| {} | {:.3g} | {:.3g} | {:.3g} | {} of {} |\n", e.field, plain(e.l1),
+                   plain(e.l2), plain(e.max), e.compared, c.particles);
 }
 
 void add_conservation(Out out, const Certificate& c) {
@@ -38,7 +56,8 @@ void add_conservation(Out out, const Certificate& c) {
                  "\n## Conservation\n\n| quantity | start | end | relative drift |\n"
                  "|---|---|---|---|\n");
   for (const Drift& d : c.conservation)
-    fmt::format_to(out, "| {} | {:.9g} | {:.9g} | {:.2e} |\n", d.quantity, d.start, d.end, d.drift);
+    fmt::format_to(out, "| {} | {:.9g} | {:.9g} | {:.2e} |\n", d.quantity, plain(d.start),
+                   plain(d.end), plain(d.drift));
 }
 
 void add_cost(Out out, const Certificate& c) {
@@ -64,9 +83,11 @@ void add_cost(Out out, const Certificate& c) {
 std::string checks_markdown(const std::vector<CheckResult>& checks) {
   if (checks.empty()) return "";
   std::string text = "\n## Checks\n\n| check | value | limit | |\n|---|---|---|---|\n";
-  for (const CheckResult& check : checks)
-    fmt::format_to(std::back_inserter(text), "| {} | {:.3g} | {} | {} |\n", check.name, check.value,
-                   limit_in_words(check), check.passed() ? "passed" : "**failed**");
+  for (const CheckResult& check : checks) {
+    const auto [value, limit] = words_of(check);
+    fmt::format_to(std::back_inserter(text), "| {} | {} | {} | {} |\n", check.name, value, limit,
+                   check.passed() ? "passed" : "**failed**");
+  }
   return text;
 }
 
@@ -74,9 +95,11 @@ std::string checks_text(const std::vector<CheckResult>& checks) {
   std::size_t width = 28;
   for (const CheckResult& check : checks) width = std::max(width, check.name.size());
   std::string text;
-  for (const CheckResult& check : checks)
-    fmt::format_to(std::back_inserter(text), "  {:<{}} {:<10.3g} {:<18} {}\n", check.name, width,
-                   check.value, limit_in_words(check), check.passed() ? "passed" : "FAILED");
+  for (const CheckResult& check : checks) {
+    const auto [value, limit] = words_of(check);
+    fmt::format_to(std::back_inserter(text), "  {:<{}} {:<10} {:<18} {}\n", check.name, width,
+                   value, limit, check.passed() ? "passed" : "FAILED");
+  }
   return text;
 }
 

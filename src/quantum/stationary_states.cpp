@@ -1,10 +1,13 @@
 #include "mote/quantum/stationary_states.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
+#include "mote/particles/failure.hpp"
 #include "mote/quantum/gauss_rules.hpp"
 
 namespace mote {
@@ -84,6 +87,25 @@ MatrixXd nodal_of_unknowns(const SchroedingerProblem& problem) {
   return nodal;
 }
 
+NumericalFailure not_solved(const std::string& problem) {
+  return {problem,
+          {},
+          "the domain, the decay or the potential is too large or too small for numbers of 16 "
+          "digits; units in which they are near 1 are best"};
+}
+
+Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solved(const SchroedingerMatrices& matrices) {
+  if (!matrices.p.allFinite() || !matrices.q.allFinite())
+    throw not_solved("the integrals of products of the wave functions are not finite");
+  if (matrices.p.llt().info() != Eigen::Success)
+    throw not_solved("the squares of wave functions have no positive integrals");
+  Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(-matrices.q, matrices.p);
+  if (solver.info() != Eigen::Success) throw not_solved("the search for the energies does not end");
+  if (!solver.eigenvalues().allFinite() || !solver.eigenvectors().allFinite())
+    throw not_solved("energies or wave functions are not finite");
+  return solver;
+}
+
 }  // namespace
 
 SchroedingerMatrices schroedinger_matrices(const SchroedingerProblem& problem) {
@@ -102,7 +124,7 @@ StationaryStates::StationaryStates(const SchroedingerProblem& problem, int count
   if (problem.intervals < 1 || count < 1 || count > 2 * problem.intervals)
     throw std::domain_error("n intervals have 2 n states");
   const SchroedingerMatrices matrices = schroedinger_matrices(problem);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(-matrices.q, matrices.p);
+  const auto solver = solved(matrices);
   energies_ = solver.eigenvalues().head(count);
   nodal_ = matrices.nodal * solver.eigenvectors().leftCols(count);
   for (int state = 0; state < count; ++state) {

@@ -37,7 +37,8 @@ SchroedingerMatrices schroedinger_matrices(const SchroedingerProblem& problem);
 /// The states of lowest energy, normalised and orthogonal with their tails.
 class StationaryStates {
  public:
-  /// Throws std::domain_error for a problem without an interval or of more states than unknowns.
+  /// Throws std::domain_error for a problem without an interval or of more states than unknowns,
+  /// and NumericalFailure where the numbers of the problem are too large or too small.
   StationaryStates(const SchroedingerProblem& problem, int count);
 
   int count() const { return static_cast<int>(energies_.size()); }

@@ -32,6 +32,17 @@ void describe_model(Description& d, StationaryFile& file) {
   d.count({"states", "how many are wanted, the lowest first"}, file.states, {1, 2000});
 }
 
+void describe_check(Description& d, StationaryFile& file) {
+  const Choices known{{"exact", "the exact energies, of potentials that have them"},
+                      {"nothing", "no exact energies"}};
+  d.variant({"against", "what energies are compared with"}, file.against, known,
+            [&](const std::string& against) {
+              if (against != "nothing")
+                d.numbers({"energies", "largest relative errors of the lowest energies, in order"},
+                          file.energy_limits);
+            });
+}
+
 /// Rules that no single key can state.
 class Checker {
  public:
@@ -96,10 +107,7 @@ void describe(Description& d, StationaryFile& file) {
     d.variant({"type", "model without time", true}, file.type, stationary_models,
               [&](const std::string&) { describe_model(d, file); });
   });
-  d.section({"check", "what the results must hold"}, [&] {
-    d.numbers({"energies", "largest relative errors of the lowest energies, in order"},
-              file.energy_limits);
-  });
+  d.section({"check", "what the results must hold"}, [&] { describe_check(d, file); });
   d.section({"output", "what is written"}, [&] {
     d.flag({"picture", "whether to draw a picture at the end"}, file.picture);
   });

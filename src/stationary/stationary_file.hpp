@@ -30,6 +30,7 @@ struct StationaryFile {
   std::int64_t states = 4;      ///< how many are wanted, the lowest first
   std::optional<double> decay;  ///< of the wave functions beyond the ends
 
+  std::string against = "exact";      ///< with which energies those found are compared
   std::vector<double> energy_limits;  ///< largest relative errors of the lowest energies
   bool picture = true;
 };
@@ -52,7 +53,15 @@ std::string stationary_schema();
 /// The equation that a file states; its potential throws InputError where it has no value.
 SchroedingerProblem problem_of(const StationaryFile& file);
 
-/// The exact states, for potentials that have them.
+/// How far tails are shown: until they are as good as 0, e^-5 of their start; 0 where there is
+/// none.
+double tail_length(const std::optional<double>& decay);
+
+/// The potential far away, where tails have ended: states of higher energy are not bound. None
+/// between walls.
+std::optional<double> binding_limit(const StationaryFile& file, const SchroedingerProblem& problem);
+
+/// The exact states, for potentials that have them, if the file wants them.
 std::optional<ExactStates> exact_states_of(const StationaryFile& file);
 
 }  // namespace mote

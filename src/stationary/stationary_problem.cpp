@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -47,7 +48,24 @@ SchroedingerProblem problem_of(const StationaryFile& file) {
   return problem;
 }
 
+double tail_length(const std::optional<double>& decay) { return decay ? 5 / *decay : 0; }
+
+std::optional<double> binding_limit(const StationaryFile& file,
+                                    const SchroedingerProblem& problem) {
+  if (file.potential == "harmonic_oscillator") return std::nullopt;  // every state is bound
+  if (file.potential == "coulomb") return 0;
+  std::optional<double> limit;
+  if (problem.decay_below)
+    limit = problem.potential(problem.lower - tail_length(problem.decay_below));
+  if (problem.decay_above) {
+    const double above = problem.potential(problem.upper + tail_length(problem.decay_above));
+    limit = std::min(limit.value_or(above), above);
+  }
+  return limit;
+}
+
 std::optional<ExactStates> exact_states_of(const StationaryFile& file) {
+  if (file.against == "nothing") return std::nullopt;
   if (file.potential == "infinite_well") return well_states(file.lower[0], file.upper[0]);
   if (file.potential == "harmonic_oscillator") return oscillator_states();
   if (file.potential == "coulomb") return coulomb_states();

@@ -2,16 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
+
+#include "mote/particles/failure.hpp"
 
 namespace mote {
 namespace {
 
 constexpr int points = 801;
-
-/// Tails are shown until they are as good as 0, e^-5 of their start.
-double length_shown(const std::optional<double>& decay) { return decay ? 5 / *decay : 0; }
 
 std::string numbered(const std::string& name, int state) {
   return fmt::format("{}_{}", name, state + 1);
@@ -32,6 +32,15 @@ Table energy_table(const StationaryStates& states, const std::optional<ExactStat
   return table;
 }
 
+void refuse_numbers_that_are_not_finite(const Table& table) {
+  for (const Column& column : table)
+    if (!std::ranges::all_of(column.values, [](double value) { return std::isfinite(value); }))
+      throw NumericalFailure(
+          fmt::format("'{}' of a state is not finite", column.name), {},
+          "the ends of the domain are so far apart, or so close, that exact energies are too small "
+          "or too large for a number");
+}
+
 std::string verdict(const Certificate& certificate) {
   if (certificate.checks.empty()) return "**Solved.** The scenario states no check.";
   return certificate.passed() ? "**Passed: every check holds.**" : "**A check failed.**";
@@ -44,12 +53,14 @@ StationaryResult::StationaryResult(const StationaryFile& file)
       problem_(problem_of(file)),
       states_(problem_, static_cast<int>(file.states)),
       exact_(exact_states_of(file)),
-      energies_(energy_table(states_, exact_)) {}
+      energies_(energy_table(states_, exact_)) {
+  refuse_numbers_that_are_not_finite(energies_);
+}
 
 Table StationaryResult::wave_functions() const {
   Table table{{"x", {}}};
-  const double from = problem_.lower - length_shown(problem_.decay_below);
-  const double to = problem_.upper + length_shown(problem_.decay_above);
+  const double from = problem_.lower - tail_length(problem_.decay_below);
+  const double to = problem_.upper + tail_length(problem_.decay_above);
   for (int k = 0; k < points; ++k) table[0].values.push_back(from + (to - from) * k / (points - 1));
   const auto add = [&](const std::string& name, int state, const auto& wave_function) {
     Column column{numbered(name, state), {}};
@@ -70,6 +81,18 @@ std::string StationaryResult::remark() const {
   };
   return fmt::format("At the lower end there is {}, at the upper {}.", words(problem_.decay_below),
                      words(problem_.decay_above));
+}
+
+std::vector<std::string> StationaryResult::warnings() const {
+  std::vector<std::string> warnings;
+  const std::optional<double> limit = binding_limit(file_, problem_);
+  for (int state = 0; limit && state < states_.count(); ++state)
+    if (const double energy = states_.energies()[state]; energy >= *limit)
+      warnings.push_back(
+          fmt::format("state {} with E = {:.6g} is not bound: the potential far out is {:.6g}, and "
+                      "the tail that falls there is not that of this state",
+                      state + 1, energy, *limit));
+  return warnings;
 }
 
 std::vector<CheckResult> StationaryResult::checks() const {

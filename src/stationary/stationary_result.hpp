@@ -24,6 +24,9 @@ class StationaryResult {
   /// How the wave functions go on beyond the ends.
   std::string remark() const;
 
+  /// Which states of a problem with tails are not bound: no tail that falls is theirs.
+  std::vector<std::string> warnings() const;
+
   /// The errors of energies against the file's limits.
   std::vector<CheckResult> checks() const;
 

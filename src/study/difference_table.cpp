@@ -86,13 +86,10 @@ MatrixExponentials<double, 3> exponentials_by(const std::string& scheme, const E
 }
 
 void add_scalar(const Scalar& scalar, const DifferenceTableFile& file, DifferenceTable& table) {
-  DifferenceColumn exact{"exact", scalar.quantity, {}, {}};
   std::vector<Long> values;
-  for (std::size_t k = 0; k < table.h.size(); ++k) {
+  for (std::size_t k = 0; k < table.h.size(); ++k)
     values.push_back(scalar.exact(std::pow(Long(10), -static_cast<Long>(k + 1))));
-    exact.values.push_back(static_cast<double>(values.back()));
-  }
-  table.exact.push_back(exact);
+  table.exact.push_back({scalar.quantity, values});
   for (const std::string& scheme : file.schemes) {
     DifferenceColumn& column = table.columns.emplace_back(scheme, scalar.quantity);
     for (std::size_t k = 0; k < table.h.size(); ++k) {
@@ -116,12 +113,12 @@ constexpr Part parts[] = {
 
 void add_matrices(const DifferenceTableFile& file, DifferenceTable& table) {
   for (const Part& part : parts) {
-    DifferenceColumn& norm = table.exact.emplace_back("exact", part.name);
+    ExactColumn& norm = table.exact.emplace_back(part.name);
     std::vector<Eigen::Matrix<Long, 3, 3>> exact;
     for (std::size_t k = 0; k < table.h.size(); ++k) {
       const Long h = std::pow(Long(10), -static_cast<Long>(k + 1));
       exact.push_back(matrix_exponentials<Long, 3>(matrix_of(file.table, h), Long(1)).*part.exact);
-      norm.values.push_back(static_cast<double>(exact.back().norm()));
+      norm.values.push_back(exact.back().norm());
     }
     for (const std::string& scheme : file.schemes) {
       DifferenceColumn& column = table.columns.emplace_back(scheme, part.name);

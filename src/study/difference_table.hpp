@@ -27,6 +27,13 @@ struct DifferenceTableFile {
   static constexpr bool picture = false;  ///< there is none to draw
 };
 
+/// Exact values of one quantity, of a matrix its norm, row by row. Long, as sixteen digits that are
+/// cut off and not rounded would not come out of a rounded number.
+struct ExactColumn {
+  std::string quantity;
+  std::vector<long double> values;
+};
+
 /// The relative errors of one quantity by one scheme, and what it is, row by row.
 struct DifferenceColumn {
   std::string scheme, quantity;
@@ -37,7 +44,8 @@ struct DifferenceColumn {
 /// All columns, and the exact values of every quantity.
 struct DifferenceTable {
   std::vector<double> h;
-  std::vector<DifferenceColumn> exact, columns;
+  std::vector<ExactColumn> exact;
+  std::vector<DifferenceColumn> columns;
 };
 
 bool is_difference_table(const Document& document);
@@ -59,7 +67,8 @@ std::vector<CheckResult> table_checks(const DifferenceTableFile& file,
 /// study.csv: h,scheme,quantity,value,exact,error. 17 digits.
 std::string table_csv(const DifferenceTable& table);
 
-/// The table for a person, in plain text and in study.md.
+/// The table for a person, in plain text and in study.md: values with their first 16 digits, cut
+/// off as in the tables of Nadukandi 2014 and not rounded.
 std::string table_text(const DifferenceTable& table);
 std::string table_markdown(const DifferenceTableFile& file, const DifferenceTable& table,
                            const std::vector<std::string>& pictures);

@@ -10,11 +10,18 @@
 namespace mote {
 namespace {
 
-const DifferenceColumn& exact_of(const DifferenceTable& table, const DifferenceColumn& column) {
-  return *std::ranges::find(table.exact, column.quantity, &DifferenceColumn::quantity);
+const ExactColumn& exact_of(const DifferenceTable& table, const DifferenceColumn& column) {
+  return *std::ranges::find(table.exact, column.quantity, &ExactColumn::quantity);
 }
 
 bool has_one_quantity(const DifferenceTable& table) { return table.exact.size() == 1; }
+
+/// The first sixteen digits, of the eighteen that a long double has; cut off, not rounded.
+std::string first_digits(long double value) {
+  std::string words = fmt::format("{:.17e}", value);
+  if (const auto exponent = words.find('e'); exponent != words.npos) words.erase(exponent - 2, 2);
+  return words;
+}
 
 /// Digits that agree, of sixteen.
 std::string digits(double error) {
@@ -35,12 +42,12 @@ std::vector<std::string> heads(const DifferenceTable& table) {
 
 std::vector<std::string> cells(const DifferenceTable& table, std::size_t row) {
   std::vector<std::string> cells{fmt::format("{:.0e}", table.h[row])};
-  if (has_one_quantity(table))
-    cells.push_back(fmt::format("{:.15e}", table.exact.front().values[row]));
+  if (has_one_quantity(table)) cells.push_back(first_digits(table.exact.front().values[row]));
   for (const DifferenceColumn& column : table.columns)
-    cells.push_back(has_one_quantity(table) ? fmt::format("{:.15e} ({})", column.values[row],
-                                                          digits(column.errors[row]))
-                                            : fmt::format("{:.1e}", column.errors[row]));
+    cells.push_back(
+        has_one_quantity(table)
+            ? fmt::format("{} ({})", first_digits(column.values[row]), digits(column.errors[row]))
+            : fmt::format("{:.1e}", column.errors[row]));
   return cells;
 }
 
@@ -76,7 +83,7 @@ std::string table_csv(const DifferenceTable& table) {
     for (std::size_t row = 0; row < table.h.size(); ++row)
       fmt::format_to(std::back_inserter(text), "{:.17g},{},{},{:.17g},{:.17g},{:.17g}\n",
                      table.h[row], column.scheme, column.quantity, column.values[row],
-                     exact_of(table, column).values[row], column.errors[row]);
+                     static_cast<double>(exact_of(table, column).values[row]), column.errors[row]);
   return text;
 }
 
@@ -86,7 +93,8 @@ std::string table_markdown(const DifferenceTableFile& file, const DifferenceTabl
                            const std::vector<std::string>& pictures) {
   const char* about =
       has_one_quantity(table)
-          ? "Values, and in brackets how many of their digits agree with the exact ones."
+          ? "The first 16 digits of values, not rounded, and in brackets how many of them agree "
+            "with the exact ones."
           : "Errors of matrices, relative to the exact ones, in the Frobenius norm.";
   return report_beginning(file.name, about, table_checks(file, table), pictures) + "## Table\n\n" +
          markdown_table(rows_of(table)) + report_end();

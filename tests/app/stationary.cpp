@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "support/program.hpp"
@@ -40,6 +41,62 @@ TEST(Stationary, FailsWhereALimitDoesNotHold) {
   const Place place;
   EXPECT_EQ(place.solve({"--set", "check.energies=[0.0131]"}).exit_code, 1);
   EXPECT_THAT(place.file("report.md"), HasSubstr("**A check failed.**"));
+}
+
+/// No sentence but one, and no result.
+TEST(Stationary, FailsWhereNumbersDoNotSuffice) {
+  const Names oscillator{"--set", "model.potential=harmonic_oscillator", "--set", "check={}"};
+  const auto solve = [&](bool well, const std::string& assignment) {
+    Names arguments{"--set", "check={}"};
+    if (!well) arguments = oscillator;
+    arguments.insert(arguments.end(), {"--set", assignment});
+    const Place place;
+    const Outcome outcome = place.solve(arguments);
+    EXPECT_FALSE(fs::exists(place / "out")) << assignment;
+    EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1) << outcome.errors;
+    EXPECT_THAT(outcome.errors, HasSubstr("Likely cause: ")) << assignment;
+    return outcome.exit_code;
+  };
+  for (const char* decay : {"model.decay=1e200", "model.decay=1e-200"})
+    EXPECT_EQ(solve(false, decay), 3) << decay;
+  EXPECT_EQ(solve(false, "domain={lower: [-1e-160], upper: [1e-160]}"), 3);
+  EXPECT_EQ(solve(true, "domain.upper=[1e200]"), 3);
+  EXPECT_EQ(solve(true, "domain.upper=[1e-200]"), 3);
+}
+
+TEST(Stationary, SaysWhichStatesAreNotBound) {
+  const Place place;
+  const Names coulomb{"--set", "model.potential=coulomb", "--set", "particles.count=9",
+                      "--set", "check.energies=[5e-10]"};
+  const Outcome outcome = place.solve(coulomb);
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.errors, StartsWith("well: warning: state 2 with E = 6.78783 is not bound: "));
+  EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1) << outcome.errors;
+  EXPECT_THAT(place.file("report.md"), HasSubstr("is not bound"));
+  EXPECT_THAT(place.file("summary.json"), HasSubstr("is not bound"));
+  Names strict = coulomb;
+  strict.insert(strict.end(), {"--strict", "--overwrite"});
+  EXPECT_EQ(place.solve(strict).exit_code, 2);
+}
+
+TEST(Stationary, WarnsNotOfStatesThatAreBound) {
+  const Place place;
+  EXPECT_EQ(place.solve().errors, "");
+  EXPECT_EQ(place
+                .solve({"--set", "model.potential=harmonic_oscillator", "--set",
+                        "domain={lower: [-5], upper: [5]}", "--set", "particles.count=33", "--set",
+                        "model.states=20", "--set", "check={}", "--overwrite"})
+                .errors,
+            "");
+}
+
+TEST(Stationary, ComparesWithNothingIfToldSo) {
+  const Place place;
+  EXPECT_EQ(place.solve({"--set", "check=nothing"}).exit_code, 0);
+  EXPECT_THAT(place.file("eigenvalues.csv"), StartsWith("state,energy\n1,10"));
+  EXPECT_EQ(nlohmann::json::parse(place.file("summary.json"))["against"], "nothing");
+  EXPECT_THAT(place.solve({"--set", "check=foo"}).errors,
+              HasSubstr("unknown against 'foo'; there are: exact, nothing"));
 }
 
 TEST(Stationary, RefusesWhatDoesNotFit) {

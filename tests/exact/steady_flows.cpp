@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 namespace mote {
 namespace {
@@ -50,6 +51,18 @@ TEST(LinearFlow, OfARotationTurns) {
   const Table at = LinearFlow(velocity, {1, 0}).of_particles(2);
   EXPECT_NEAR(at[0].values[0], std::cos(2.0), 1e-16);
   EXPECT_NEAR(at[3].values[0], std::cos(2.0), 1e-16);
+}
+
+TEST(FlowReference, DrawsABoundedNumberOfParticles) {
+  std::vector<double> places;
+  for (int k = 0; k < 999; ++k) places.insert(places.end(), {k + 0.0, 0, 0});
+  const FlowReference many(std::make_unique<LinearFlow>(LinearVelocity{.dimension = 3}, places), 3);
+  const Table curve = many.curve(1);
+  EXPECT_EQ(curve.front().name, "position_x");
+  EXPECT_EQ(curve.front().values.size(), 200);
+  EXPECT_EQ(curve.front().values[199], 199 * 999 / 200);
+  const FlowReference two(std::make_unique<LinearFlow>(swirl(), std::vector<double>(6)), 3);
+  EXPECT_EQ(two.curve(1).front().values.size(), 2);
 }
 
 TEST(CircularFlow, IsAFlow) {

@@ -9,6 +9,7 @@ namespace mote {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 TEST(ErrorNorms, AreRelativeToTheReference) {
   const std::vector<double> values{1, 2, 3}, reference{1, 1, 5};
@@ -62,6 +63,32 @@ TEST(CheckResult, OfWhatIsNotANumberFails) {
   EXPECT_TRUE((CheckResult{"a", 1, 1}.passed()));
   EXPECT_FALSE((CheckResult{"a", 1.1, 1}.passed()));
   EXPECT_FALSE((CheckResult{"a", NAN, 1}.passed()));
+}
+
+/// The words of the only check of a terminal's text.
+std::string words(const CheckResult& check) { return checks_text({check}); }
+
+TEST(CheckResult, IsWordedWithAsManyDigitsAsTellItFromItsLimit) {
+  using enum CheckResult::Sense;
+  EXPECT_THAT(words({"a", 0.5, 1}), HasSubstr(" 0.5        at most 1 "));
+  EXPECT_THAT(words({"a", 7.1396e-05, 7.14e-05}), HasSubstr(" 7.1396e-05 at most 7.14e-05 "));
+  EXPECT_THAT(words({"a", 7.1404e-05, 7.14e-05, at_least}),
+              HasSubstr(" 7.1404e-05 at least 7.14e"));
+  EXPECT_THAT(words({"a", std::nextafter(1, 2), 1}), HasSubstr(" 1.0000000000000002 at most 1 "));
+  EXPECT_THAT(words({"a", 1.0 / 3, 1.0 / 3}), HasSubstr(" 0.333      at most 0.333 "));
+  EXPECT_THAT(checks_markdown({{"a", 7.1396e-05, 7.14e-05}}),
+              HasSubstr("| a | 7.1396e-05 | at most 7.14e-05 | passed |"));
+}
+
+TEST(Certificate, HasNoSignBeforeWhatIsNotANumber) {
+  Certificate certificate;
+  certificate.errors = {{"position", -NAN, -NAN, -NAN, 1}};
+  certificate.conservation = {{"mass", -NAN, 1, -NAN}};
+  certificate.checks = {{"position relative L2 error", -NAN, 1}};
+  const std::string report = report_markdown(certificate, "") + checks_text(certificate.checks);
+  EXPECT_THAT(report, HasSubstr("| position | nan | nan | nan |"));
+  EXPECT_THAT(report, HasSubstr("| mass | nan | 1 | nan |"));
+  EXPECT_THAT(report, Not(HasSubstr("-nan")));
 }
 
 TEST(Certificate, PassesOnlyIfEveryCheckDoesAndNothingFailed) {

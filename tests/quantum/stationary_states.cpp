@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "mote/particles/failure.hpp"
 #include "mote/quantum/gauss_rules.hpp"
 
 namespace mote::test {
@@ -148,6 +149,16 @@ TEST(StationaryStates, AreOrthonormalWithTheirTails) {
   }
   EXPECT_LE((products - Eigen::Matrix4d::Identity()).norm(), 1e-6);
   EXPECT_GT(states.wave_function(0, -4.0), 0);
+}
+
+TEST(StationaryStates, FailWhereNumbersDoNotSuffice) {
+  for (const double end : {1e-160, 1e160})
+    EXPECT_THROW(StationaryStates(harmonic_oscillator(8, end), 1), NumericalFailure) << end;
+  SchroedingerProblem steep = harmonic_oscillator(8, 5);
+  steep.decay_above = 1e200;
+  EXPECT_THROW(StationaryStates(steep, 1), NumericalFailure);
+  steep.decay_above = 1e3;
+  EXPECT_NO_THROW(StationaryStates(steep, 1));
 }
 
 TEST(StationaryStates, RefuseMoreThanThereAre) {

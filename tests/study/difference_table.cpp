@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
 
 #include "mote/scenario/located_error.hpp"
 #include "support/program.hpp"
@@ -28,6 +29,56 @@ TEST(DifferenceTable, HasTheLimitOfEveryQuantity) {
   EXPECT_NEAR(last("fourth_difference"), 1.0 / 24, 1e-16);
   EXPECT_NEAR(last("matrices"), std::sqrt(0.75 + 2.0 / 36 + std::pow(1.0 / 6 + 1.0 / 24, 2)),
               1e-14);
+}
+
+/// The exact columns of Tables 2 (and 1), 3 and 5 in print, of which 3 and 5 are in units of 1/100.
+struct Printed {
+  const char *table, *unit;
+  std::vector<std::string> digits;
+};
+
+const std::vector<Printed> printed{
+    {"second_difference",
+     "e+00",
+     {"1.503335165136325", "1.372811947550820", "1.360500848315854", "1.359276836249607",
+      "1.359154505717948", "1.359142273371229", "1.359141050143621", "1.359140927820931",
+      "1.359140915588663", "1.359140914365436", "1.359140914243114", "1.359140914230881",
+      "1.359140914229658", "1.359140914229536", "1.359140914229523"}},
+    {"fourth_difference_of_pair",
+     "e-02",
+     {"4.252986132162584", "4.175027977160363", "4.167500277976287", "4.166750002777976",
+      "4.166675000027777", "4.166667500000277", "4.166666750000002", "4.166666675000000",
+      "4.166666667500000", "4.166666666750000", "4.166666666675000", "4.166666666667500",
+      "4.166666666666750", "4.166666666666675", "4.166666666666667"}},
+    {"fourth_difference",
+     "e-02",
+     {"4.703252003748591", "4.217015682095156", "4.171670140675349", "4.167166701390674",
+      "4.166716667013890", "4.166671666670138", "4.166667166666701", "4.166666716666667",
+      "4.166666671666666", "4.166666667166666", "4.166666666716666", "4.166666666671666",
+      "4.166666666667166", "4.166666666666716", "4.166666666666671"}}};
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(DifferenceTable, PrintsTheExactDigitsOfThePaper) {
+  for (const auto& [name, unit, digits] : printed) {
+    const auto file = file_of("{name: t, table: " + std::string(name) + ", schemes: [accurate]}");
+    const auto lines = lines_of(table_text(evaluated(file)));
+    ASSERT_EQ(lines.size(), 1 + digits.size());
+    for (std::size_t row = 0; row < digits.size(); ++row)
+      EXPECT_THAT(lines[row + 1], HasSubstr(" " + digits[row] + unit + "  ")) << name;
+  }
+}
+
+/// A rounded last digit would be wrong.
+TEST(DifferenceTable, CutsDigitsOff) {
+  DifferenceTable table{.h = {0.1}, .exact = {{"a", {2.0L / 3}}}, .columns = {}};
+  table.columns.push_back({"accurate", "a", {-2.0 / 3}, {0}});
+  EXPECT_THAT(table_text(table), HasSubstr(" 6.666666666666666e-01  -6.666666666666666e-01 (16)"));
 }
 
 TEST(DifferenceTable, TellsSchemesApart) {
