@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mote/integrators/free_fall.hpp"
 #include "mote/particles/failure.hpp"
 
 namespace mote {
@@ -54,7 +55,7 @@ double hopeless_error(int k, int expected) {
 }  // namespace
 
 std::string BulirschStoer::missing_in(System& system) const {
-  return system.falls_freely() ? "" : "accelerations that depend on time and places alone";
+  return missing_for_free_fall(system);
 }
 
 void BulirschStoer::tolerate(double error) {

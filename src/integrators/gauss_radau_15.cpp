@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "mote/integrators/free_fall.hpp"
 #include "mote/particles/failure.hpp"
 
 namespace mote {
@@ -84,9 +85,7 @@ std::size_t size_of(std::span<const Evolving> parts) {
 
 }  // namespace
 
-std::string GaussRadau15::missing_in(System& system) const {
-  return system.falls_freely() ? "" : "accelerations that depend on time and places alone";
-}
+std::string GaussRadau15::missing_in(System& system) const { return missing_for_free_fall(system); }
 
 void GaussRadau15::advance_one_step(System& system, double time, double step) {
   start(system, time);

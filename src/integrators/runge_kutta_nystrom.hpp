@@ -10,6 +10,7 @@
 
 #include "mote/integrators/elementwise.hpp"
 #include "mote/integrators/embedded_pair.hpp"
+#include "mote/integrators/free_fall.hpp"
 #include "mote/integrators/kept_values.hpp"
 #include "mote/integrators/relative_error.hpp"
 #include "mote/integrators/stages.hpp"
@@ -37,9 +38,7 @@ class RungeKuttaNystrom : public EmbeddedPair {
  public:
   RungeKuttaNystrom() : EmbeddedPair(Method::name, Method::default_tolerance, lower_order + 1) {}
 
-  std::string missing_in(System& system) const final {
-    return system.falls_freely() ? "" : "accelerations that depend on time and places alone";
-  }
+  std::string missing_in(System& system) const final { return missing_for_free_fall(system); }
 
  protected:
   bool start(System& system, double time) final {

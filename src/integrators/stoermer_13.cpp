@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mote/integrators/bulirsch_stoer.hpp"
+#include "mote/integrators/free_fall.hpp"
 #include "mote/particles/failure.hpp"
 
 namespace mote {
@@ -98,9 +99,7 @@ void LongRowSum::recall(Row sum, Row lost) {
   lost_ = std::move(lost);
 }
 
-std::string Stoermer13::missing_in(System& system) const {
-  return system.falls_freely() ? "" : "accelerations that depend on time and places alone";
-}
+std::string Stoermer13::missing_in(System& system) const { return missing_for_free_fall(system); }
 
 void Stoermer13::advance_one_step(System& system, double time, double step) {
   if (!goes_on(time, step)) begin(system, time, step);
