@@ -39,19 +39,20 @@ T series_of_three(T x1, T x2, T x3, int terms) {
 }
 
 /// Four terms of (99) for four or five nodes; pairs, triples and quadruples are the sums of the
-/// products of two, three and four deviations from the mean.
+/// products of two, three and four deviations from the mean. Summed from the smallest term on, and
+/// the exponential taken last, Tables 3 and 5 come out in all digits that are right there.
 struct Combinations {
   double pairs, triples, quadruples;
 };
 
 double series_of_four(double mean, const Combinations& of) {
-  return std::exp(mean) / 6 *
-         (1 - of.pairs / 20 + of.triples / 120 + (of.pairs * of.pairs - of.quadruples) / 840);
+  const double last = (of.pairs * of.pairs - of.quadruples) / 840;
+  return std::exp(mean) * ((1 + (-of.pairs / 20 + (of.triples / 120 + last))) / 6);
 }
 
 double series_of_five(double mean, const Combinations& of) {
-  return std::exp(mean) / 24 *
-         (1 - of.pairs / 30 + of.triples / 210 + (of.pairs * of.pairs - of.quadruples) / 1680);
+  const double last = (of.pairs * of.pairs - of.quadruples) / 1680;
+  return std::exp(mean) * ((1 + (-of.pairs / 30 + (of.triples / 210 + last))) / 24);
 }
 
 /// (95)-(97), from the product of (1 + s d) over all deviations d.
