@@ -62,7 +62,7 @@ TEST(ContEvolOrbit, IsFollowedToThePrecisionOfTheCorrection) {
 }
 
 TEST(ContEvolOrbit, IsLostWithTheSignOfACoordinate) {
-  EXPECT_GT(largest_error<CorrectedBySignOfY>(1.0 / 16), 1);
+  EXPECT_GT(largest_error<CorrectedBySignOfY>(1.0 / 16), 4.5);
 }
 
 TEST(ContEvolOrbit, IsLostWithoutCorrection) { EXPECT_GT(largest_error<ContEvol1>(1.0 / 16), 100); }
