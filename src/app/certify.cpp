@@ -103,7 +103,7 @@ Certificate certificate_without_results(const Simulation& simulation, const Mome
       .version = std::string(version),
       .units = scenario.units,
       .differential_operator = scenario.differential_operator.name(),
-      .integrator = simulation.model().steps_itself() ? "own steps" : scenario.time.integrator,
+      .integrator = scenario.model->steps_itself() ? "own steps" : scenario.time.integrator,
       .model = scenario.model_type,
       .against = scenario.check.against,
       .dimension = scenario.dimension,

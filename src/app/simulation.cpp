@@ -171,11 +171,10 @@ void Simulation::make_integrator(const Catalogue& catalogue) {
   refuse_paths_that_there_are_not(scenario_, *integrator_, *model_);
   if (scenario_.time.tolerance) integrator_->tolerate(*scenario_.time.tolerance);
   if (integrator_->chooses_steps()) plan_ = plan_of(scenario_, scenario_.time.longest_step);
-  const std::string& path = scenario_.time.dense_output;
-  follows_path_ =
-      path == "automatic" ? integrator_->has_path() && model_->has_paths() : path != "none";
-  if (follows_path_ && path != "own" && path != "automatic")
-    make_path_ = entry_named(catalogue.paths, path).make;
+  std::string path = scenario_.time.dense_output;
+  if (path == "automatic") path = integrator_->has_path() && model_->has_paths() ? "own" : "none";
+  follows_path_ = path != "none";
+  if (follows_path_ && path != "own") make_path_ = entry_named(catalogue.paths, path).make;
 }
 
 void Simulation::warn(const std::string& where, const std::string& message) {

@@ -7,11 +7,12 @@
 
 #include "mote/integrators/elementwise.hpp"
 #include "mote/integrators/system.hpp"
+#include "mote/particles/compensated_sum.hpp"
 
 namespace mote {
 
 /// Adds rates to values over many steps and keeps what rounding loses at each addition for the
-/// next one (Kahan 1965), so that the error does not grow with the number of steps.
+/// next one, so that the error does not grow with the number of steps.
 class Accumulator {
  public:
   /// value += step * rate, for every part.
@@ -39,12 +40,8 @@ class Accumulator {
   static void add(std::span<double> value, std::span<const double> rate, double step,
                   std::vector<double>& lost) {
     lost.resize(value.size());
-    for (std::size_t i = 0; i < value.size(); ++i) {
-      const double change = step * rate[i] - lost[i];
-      const double sum = value[i] + change;
-      lost[i] = (sum - value[i]) - change;
-      value[i] = sum;
-    }
+    for (std::size_t i = 0; i < value.size(); ++i)
+      add_compensated(step * rate[i], value[i], lost[i]);
   }
 
   std::vector<std::vector<double>> lost_;

@@ -49,7 +49,6 @@ class Incompressible final : public Model {
   void update_kick_rates(double) override {}
   bool compensates() const override { return false; }
 
-  bool steps_itself() const override { return true; }
   void end_step(double time, double step) override;
   void update_dependent_fields() override {}
   void complete_fields() override;

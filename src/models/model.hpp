@@ -72,9 +72,6 @@ class Model : public System {
   virtual void begin_step(double /*time*/, double /*step*/) {}
   virtual void end_step(double /*time*/, double /*step*/) {}
 
-  /// Whether `end_step` is all of a step, and leaves nothing to an integrator.
-  virtual bool steps_itself() const { return false; }
-
   /// Brings fields that follow from the others up to date, after a step or a restart.
   virtual void update_dependent_fields() = 0;
 
@@ -172,7 +169,7 @@ class ModelRecipe {
   /// Whether `time.step` alone can say how long steps are, so that without a Courant number the
   /// state does not shorten them.
   virtual bool step_suffices() const { return false; }
-  /// Whether the model makes its own steps, and leaves nothing to an integrator.
+  /// Whether the model's `end_step` is all of a step, and leaves nothing to an integrator.
   virtual bool steps_itself() const { return false; }
   /// The largest Courant number of a step that it bears.
   virtual double largest_courant_number() const { return 1; }

@@ -25,12 +25,11 @@ class Tracers final : public Model {
   std::span<const Evolving> drifted() override { return drifted_; }
   std::span<const Evolving> kicked() override { return {}; }
   bool drifts_freely() const override { return false; }
-  bool bears_any_step() const override { return !steps_itself(); }
+  bool bears_any_step() const override { return mesh_ == nullptr; }
   void prepare(double /*time*/) override {}
   void update_drift_rates(double time) override;
   void update_kick_rates(double /*time*/) override {}
 
-  bool steps_itself() const override { return mesh_ != nullptr; }
   void end_step(double time, double step) override;
   void update_dependent_fields() override;
   void inspect() const override;

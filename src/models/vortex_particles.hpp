@@ -52,9 +52,8 @@ class VortexParticles {
   std::span<double> volume() const { return volume_; }
   /// In space: the rings that vortices began in, from 1 on, or 0; empty in the plane.
   std::span<const double> ring() const { return ring_; }
-  std::span<double> age() const {
-    return age_;
-  }  ///< steps since the last remeshing, if there is any
+  /// Steps since the last remeshing, if there is any.
+  std::span<double> age() const { return age_; }
   Vec<D> place(Index i) const { return Vec<D>::Map(position_.data() + std::ptrdiff_t{i} * D); }
 
   /// Size of the cores, the same for all. It is part of the state where cores spread.

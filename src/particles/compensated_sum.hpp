@@ -2,19 +2,23 @@
 
 namespace mote {
 
-/// A sum of many terms that keeps what rounding loses at each addition for the next one (Kahan
-/// 1965), so that its error does not grow with their number.
+/// Adds a term to a value, and what rounding lost at the additions before it; `lost` is then what
+/// this one has added too much (Kahan 1965).
+inline void add_compensated(double term, double& value, double& lost) {
+  const double change = term - lost;
+  const double sum = value + change;
+  lost = (sum - value) - change;
+  value = sum;
+}
+
+/// A sum of many terms that keeps what rounding loses at each addition for the next one, so that
+/// its error does not grow with their number.
 class CompensatedSum {
  public:
   CompensatedSum() = default;
   explicit CompensatedSum(double value) : value_(value) {}
 
-  void add(double term) {
-    const double change = term - lost_;
-    const double sum = value_ + change;
-    lost_ = (sum - value_) - change;
-    value_ = sum;
-  }
+  void add(double term) { add_compensated(term, value_, lost_); }
 
   double value() const { return value_; }
   /// What it lacks to this number.
