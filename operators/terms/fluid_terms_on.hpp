@@ -43,6 +43,7 @@ class FluidTermsOn final : public FluidTerms<D> {
     order.for_each_block([&](Index block, Index begin, Index end) {
       FluidPass& pass = passes_[static_cast<std::size_t>(block)];
       for (Index i = begin; i < end; ++i) {
+        if (i + receivers_ahead < end) fetch_ahead(points, lists, i + receivers_ahead, sums);
         const auto later = later_neighbours(lists, i);
         const auto middle =
             images ? std::ranges::lower_bound(later, lists.receivers()) : later.end();
@@ -173,6 +174,9 @@ class FluidTermsOn final : public FluidTerms<D> {
   }
 
  private:
+  /// How many receivers ahead memory is asked for.
+  static constexpr Index receivers_ahead = 8;
+
   static double over_length(double inverse, int times) {
     double product = 1;
     for (int k = 0; k < times; ++k) product *= inverse;
@@ -203,6 +207,18 @@ class FluidTermsOn final : public FluidTerms<D> {
           brakes(c.artificial_viscosity != 0),
           drags(c.viscosity != 0) {}
   };
+
+  /// Asks for the memory of a receiver's last neighbours, which are the ones that receivers before
+  /// it have not met: waiting for it costs a fifth of a pass over a million particles.
+  static void fetch_ahead(const PairPoints<D>& points, const NeighbourLists& lists, Index i,
+                          std::span<PairSums> sums) {
+    const auto later = later_neighbours(lists, i);
+    for (const Index j : later.last(std::min(later.size(), 2 * lane_count))) {
+      const auto k = static_cast<std::size_t>(j);
+      __builtin_prefetch(&points.lines[k]);
+      if (k < sums.size()) __builtin_prefetch(&sums[k], 1);
+    }
+  }
 
   /// What the pairs of one point come to.
   struct Found {

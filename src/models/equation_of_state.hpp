@@ -16,8 +16,8 @@ struct EquationOfState {
 
   double pressure(double rho) const {
     if (exponent == 1) return sound_speed * sound_speed * (rho - density) + background;
-    const double s = rho / density, s2 = s * s;
-    const double power = exponent == 7 ? s2 * s2 * s2 * s : std::pow(s, exponent);
+    const double s = rho / density;
+    const double power = exponent == 7 ? sixth_power(s) * s : std::pow(s, exponent);
     return stiffness() * (power - 1) + background;
   }
 
@@ -31,7 +31,14 @@ struct EquationOfState {
   double energy(double rho) const {
     const double s = rho / density, c2 = sound_speed * sound_speed;
     if (exponent == 1) return c2 * (std::log(s) + 1 / s - 1);
-    return c2 / exponent * ((std::pow(s, exponent - 1) - 1) / (exponent - 1) + 1 / s - 1);
+    const double power = exponent == 7 ? sixth_power(s) : std::pow(s, exponent - 1);
+    return c2 / exponent * ((power - 1) / (exponent - 1) + 1 / s - 1);
+  }
+
+ private:
+  static double sixth_power(double s) {
+    const double s2 = s * s;
+    return s2 * s2 * s2;
   }
 };
 

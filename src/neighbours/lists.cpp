@@ -29,17 +29,15 @@ NeighbourLists::NeighbourLists(const NeighbourLists& other) {
 }
 
 std::int64_t NeighbourLists::pairs() const {
-  return std::accumulate(count_.begin(), count_.end(), std::int64_t{0});
+  return std::accumulate(
+      list_.begin(), list_.end(), std::int64_t{0},
+      [](std::int64_t sum, auto list) { return sum + static_cast<std::int64_t>(list.size()); });
 }
 
 void NeighbourLists::restart(Index receivers, std::size_t longest) {
-  first_.resize(static_cast<std::size_t>(receivers));
-  count_.resize(static_cast<std::size_t>(receivers));
+  list_.resize(static_cast<std::size_t>(receivers));
 #pragma omp parallel for schedule(static) if (parallel_from <= receivers)
-  for (Index i = 0; i < receivers; ++i) {
-    first_[i] = nullptr;
-    count_[i] = 0;
-  }
+  for (Index i = 0; i < receivers; ++i) list_[i] = {};
   used_ = 0;
   if (longest <= slab_size_) return;
   slabs_.clear();
@@ -59,7 +57,7 @@ void NeighbourLists::keep_spare_slabs(std::size_t threads) {
 
 void NeighbourLists::sort() {
 #pragma omp parallel for schedule(static) if (parallel_from <= receivers())
-  for (Index i = 0; i < receivers(); ++i) std::sort(first_[i], first_[i] + count_[i]);
+  for (Index i = 0; i < receivers(); ++i) std::ranges::sort(list_[i]);
 }
 
 bool operator==(const NeighbourLists& a, const NeighbourLists& b) {

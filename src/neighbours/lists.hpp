@@ -19,7 +19,7 @@ enum class ListForm { any_order, ascending, later };
 /// depends on the state alone.
 ///
 /// Lists lie in slabs of memory, wherever their writer put them, and slabs are kept from one search
-/// to the next: a neighbour takes 4 B, a receiver 12 B.
+/// to the next: a neighbour takes 4 B, a receiver 16 B.
 class NeighbourLists {
  public:
   class Writer;
@@ -31,10 +31,8 @@ class NeighbourLists {
   NeighbourLists& operator=(const NeighbourLists& other) { return *this = NeighbourLists(other); }
   NeighbourLists& operator=(NeighbourLists&& other) noexcept = default;
 
-  std::span<const Index> operator[](Index i) const {
-    return {first_[i], static_cast<std::size_t>(count_[i])};
-  }
-  Index receivers() const { return static_cast<Index>(count_.size()); }
+  std::span<const Index> operator[](Index i) const { return list_[i]; }
+  Index receivers() const { return static_cast<Index>(list_.size()); }
   std::int64_t pairs() const;
 
   /// Forgets all lists and makes room for those of so many receivers, none of them longer than
@@ -57,8 +55,7 @@ class NeighbourLists {
   /// Sees to it that threads can share a few neighbours more another time, and find slabs enough.
   void keep_spare_slabs(std::size_t threads);
 
-  std::vector<Index*> first_;  ///< a receiver's first neighbour
-  std::vector<Index> count_;   ///< a receiver's number of neighbours
+  std::vector<std::span<Index>> list_;  ///< of each receiver
   std::vector<std::unique_ptr<Index[]>> slabs_;
   std::size_t used_ = 0;  ///< slabs that hold lists
   std::size_t slab_size_ = 0;
@@ -79,11 +76,14 @@ class NeighbourLists::Writer {
     return next_;
   }
 
+  /// Asks for the memory that `close` will write to for receiver i: where receivers come in no
+  /// order, waiting for it takes as long as the search.
+  void fetch_ahead(Index i) const { __builtin_prefetch(&lists_.list_[i], 1); }
+
   /// What was written into the room before `end` is the list of receiver i.
-  void close(Index i, const Index* end) {
-    lists_.first_[i] = next_;
-    lists_.count_[i] = static_cast<Index>(end - next_);
-    next_ += lists_.count_[i];
+  void close(Index i, Index* end) {
+    lists_.list_[i] = {next_, end};
+    next_ = end;
   }
 
  private:
@@ -98,9 +98,9 @@ template <class Keep>
 void NeighbourLists::keep_if(Keep keep) {
 #pragma omp parallel for schedule(static) if (parallel_from <= receivers())
   for (Index i = 0; i < receivers(); ++i) {
-    Index* const list = first_[i];
-    Index* const end = std::remove_if(list, list + count_[i], [&](Index j) { return !keep(i, j); });
-    count_[i] = static_cast<Index>(end - list);
+    const std::span<Index> list = list_[i];
+    const auto dropped = std::ranges::remove_if(list, [&](Index j) { return !keep(i, j); });
+    list_[i] = list.first(list.size() - dropped.size());
   }
 }
 
