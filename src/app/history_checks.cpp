@@ -45,16 +45,12 @@ double largest_error(const std::vector<double>& values, const std::vector<double
   return worst;
 }
 
-bool is_meant(const HistoryCheck& check, double t) {
-  return !(check.from && t < *check.from) && !(check.until && t > *check.until);
-}
-
 /// The largest value of all rows that a check is meant for, times the sign. NaN, and none, are
 /// larger than all others.
 double largest_of(double sign, const HistoryCheck& check, const Curve& curve) {
   double largest = -std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < curve.time.size(); ++k) {
-    if (!is_meant(check, curve.time[k])) continue;
+    if (!check.is_meant_at(curve.time[k])) continue;
     if (std::isnan(curve.value[k])) return curve.value[k];
     largest = std::max(largest, sign * curve.value[k]);
   }
@@ -66,7 +62,7 @@ double error_of_formula(const HistoryCheck& check, const Curve& curve, const Con
   std::vector<double> values, expected;
   for (std::size_t k = 0; k < curve.time.size(); ++k) {
     const double t = curve.time[k];
-    if (!is_meant(check, t)) continue;
+    if (!check.is_meant_at(t)) continue;
     values.push_back(curve.value[k]);
     expected.push_back(formula({.t = t}));
   }
@@ -74,15 +70,16 @@ double error_of_formula(const HistoryCheck& check, const Curve& curve, const Con
   return largest_error(values, expected, check.relative_to);
 }
 
-/// Over the points of the reference that lie within the run.
+/// Over the points of the reference that lie within the run, where the check is meant.
 double error_of_curve(const HistoryCheck& check, const Curve& curve) {
   std::vector<double> values, expected;
   for (std::size_t k = 0; k < check.times.size(); ++k) {
-    const double t = check.times[k] / check.scale_time;
-    if (t < curve.time.front() || t > curve.time.back()) continue;
+    const double t = check.time_at(check.times[k]);
+    if (t < curve.time.front() || t > curve.time.back() || !check.is_meant_at(t)) continue;
     values.push_back(curve.at(t) * check.scale);
     expected.push_back(check.values[k]);
   }
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();  // nothing to hold
   return largest_error(values, expected, check.relative_to);
 }
 

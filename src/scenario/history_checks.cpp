@@ -26,11 +26,13 @@ void describe_one(Description& d, HistoryCheck& check) {
   d.number({"decay_rate", "r of exp(-r t), by which it must fall from the first row to the last"},
            check.decay_rate);
   d.text({"file", "CSV file beside this one with a curve that it must follow"}, check.file);
-  d.text({"x", "column of the file, time times scale_time"}, check.x);
+  d.text({"x", "column of the file, time times scale_time plus offset_time"}, check.x);
   d.text({"y", "column of the file, the quantity times scale"}, check.y);
   d.numbers({"times", "the column x itself, in place of a file"}, check.times);
   d.numbers({"values", "the column y itself"}, check.values);
   d.number({"scale_time", "by which times become x"}, check.scale_time, positive);
+  d.number({"offset_time", "x at time 0: how far the curve's clock had gone when the run starts"},
+           check.offset_time);
   d.number({"scale", "by which the quantity becomes y"}, check.scale);
   d.choice({"relative_to", "what the error of a formula or curve is relative to"},
            check.relative_to,
@@ -51,8 +53,10 @@ std::string problem_of(const HistoryCheck& check) {
     return "'at' has a meaning for a value, and for 'most' and 'least' alone";
   if (check.throughout && (!check.has_bounds() || check.at))
     return "'throughout' has a meaning for 'most' and 'least' without 'at' alone";
-  if ((check.from || check.until) && check.formula.empty() && !check.throughout)
-    return "'from' and 'until' have a meaning for a formula, and with 'throughout', alone";
+  if ((check.from || check.until) && check.formula.empty() && !check.has_curve() &&
+      !check.throughout)
+    return "'from' and 'until' have a meaning for a formula, for a curve, and with 'throughout', "
+           "alone";
   if (check.from && check.until && *check.from > *check.until)
     return fmt::format("rows from {} until {} are none", *check.from, *check.until);
   if (check.value == 0.0) return "nothing is relative to 0: give 'most' and 'least' in place of it";
@@ -67,7 +71,8 @@ std::string problem_of_curve(const HistoryCheck& check, double end) {
   if (check.times.size() != check.values.size())
     return fmt::format("there are {} times and {} values", check.times.size(), check.values.size());
   const bool within = std::ranges::any_of(check.times, [&](double x) {
-    return x / check.scale_time >= 0 && x / check.scale_time <= end;
+    const double t = check.time_at(x);
+    return t >= 0 && t <= end && check.is_meant_at(t);
   });
   if (!within) return fmt::format("no point of this curve lies within the run, until t = {}", end);
   return "";

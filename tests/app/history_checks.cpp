@@ -86,6 +86,25 @@ TEST(HistoryChecks, TakeACurveInItsOwnScalesAsFarAsTheRunGoes) {
               0.25, 1e-15);
 }
 
+TEST(HistoryChecks, TakeACurveOfAClockThatStartedEarlier) {
+  // x = 10 t + 5, y = toe/2: points before the run, at t = 0.5 (1 against 0.8) and 1.5 (2.5).
+  HistoryCheck check{.quantity = "toe",
+                     .times = {3, 10, 20},
+                     .values = {99, 0.8, 3},
+                     .scale_time = 10,
+                     .offset_time = 5,
+                     .scale = 0.5,
+                     .error = 1};
+  EXPECT_NEAR(result_of(check), 0.25, 1e-15);
+  check.from = 1;
+  EXPECT_NEAR(result_of(check), 1.0 / 6, 1e-15);
+  check.from = 1.6;
+  EXPECT_TRUE(std::isnan(result_of(check)));  // nothing to hold
+  check.from = {};
+  check.offset_time = 0;
+  EXPECT_NEAR(result_of(check), 1 - 0.8 / 99, 1e-15);
+}
+
 TEST(HistoryChecks, FailWhereTheQuantityHasNoValue) {
   for (const HistoryCheck& check : {HistoryCheck{.quantity = "gap", .at = 1, .most = 9},
                                     {.quantity = "gap", .formula = "1", .error = 100},

@@ -28,7 +28,7 @@ const std::vector<ScenarioCase> bad_history_checks{
     {"time_of_a_formula", line(15, "  history: [@{quantity: mass, at: 1, formula: '1', error: 1}]"),
      "'at' has a meaning for a value"},
     {"rows_of_a_value", line(15, "  history: [@{quantity: mass, from: 1, value: 1, error: 0.1}]"),
-     "'from' and 'until' have a meaning for a formula, and with 'throughout', alone"},
+     "'from' and 'until' have a meaning for a formula, for a curve, and with 'throughout', alone"},
     {"no_rows",
      line(15, "  history: [@{quantity: mass, from: 1, until: 0.5, formula: '1', error: 0.1}]"),
      "rows from 1 until 0.5 are none"},
@@ -47,6 +47,10 @@ const std::vector<ScenarioCase> bad_history_checks{
      "2 times and 1 values"},
     {"curve_after_the_end",
      line(15, "  history: [@{quantity: mass, times: [2], values: [1], error: 0.1}]"),
+     "no point of this curve lies within the run, until t = 1"},
+    {"curve_before_the_start",
+     line(15,
+          "  history: [@{quantity: mass, times: [2], offset_time: 3, values: [1], error: 0.1}]"),
      "no point of this curve lies within the run, until t = 1"},
     {"unknown_norm", line(15, "  norm: @l3"), "there are: l1, l2, max"}};
 INSTANTIATE_TEST_SUITE_P(Table, BadHistoryCheck, testing::ValuesIn(bad_history_checks), by_label);
