@@ -42,7 +42,7 @@ inline constexpr std::size_t sources_at_once = 512;
 /// roots, but not so many that much of what they need does not fit into registers.
 template <PairKernel K>
 inline constexpr std::size_t packs_at_once =
-    std::clamp<std::size_t>(28 / (K::dimension + K::outputs), 1, 4);
+    std::clamp<std::size_t>(24 / (K::dimension + K::outputs), 1, 4);
 
 /// Adds the first `count` lanes, or all.
 [[gnu::always_inline]] inline void add_to_column(const Lanes& sum, double* column,
