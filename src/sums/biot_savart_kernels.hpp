@@ -19,14 +19,14 @@ requires(Shape::dimension == 2) struct VortexKernel<Shape, WithGradient> {
 
   [[gnu::always_inline]] void add(const std::array<Lanes, 2>& difference,
                                   const std::array<double, 1>& circulation,
+                                  const typename Shape::At& at,
                                   std::array<Lanes, outputs>& sums) const {
     const auto& [x, y] = difference;
-    const Lanes r_squared = square_of<2>(difference);
-    const Lanes influence = circulation[0] * shape.influence(r_squared);
-    sums[0] -= influence * y;
-    sums[1] += influence * x;
+    const Lanes influence = circulation[0] * at.influence();
+    sums[0] = fused(-influence, y, sums[0]);
+    sums[1] = fused(influence, x, sums[1]);
     if constexpr (WithGradient) {
-      const Lanes slope = circulation[0] * shape.influence_slope(r_squared);
+      const Lanes slope = circulation[0] * at.influence_slope();
       const Lanes shear = slope * x * y;
       sums[2] -= shear;
       sums[3] -= influence + slope * y * y;
@@ -44,14 +44,17 @@ requires(Shape::dimension == 3) struct VortexKernel<Shape, WithGradient> {
   [[no_unique_address]] Shape shape;
 
   [[gnu::always_inline]] void add(const std::array<Lanes, 3>& r, const std::array<double, 3>& alpha,
+                                  const typename Shape::At& at,
                                   std::array<Lanes, outputs>& sums) const {
-    const Lanes r_squared = square_of<3>(r), influence = shape.influence(r_squared);
-    const std::array<Lanes, 3> cross{alpha[1] * r[2] - alpha[2] * r[1],
-                                     alpha[2] * r[0] - alpha[0] * r[2],
-                                     alpha[0] * r[1] - alpha[1] * r[0]};
-    for (int a = 0; a < 3; ++a) sums[a] += influence * cross[a];
+    const Lanes influence = at.influence();
+    std::array<Lanes, 3> cross;
+    for (int a = 0; a < 3; ++a) {
+      const int b = (a + 1) % 3, c = (a + 2) % 3;
+      cross[a] = fused(alpha[b], r[c], -(alpha[c] * r[b]));
+      sums[a] = fused(influence, cross[a], sums[a]);
+    }
     if constexpr (WithGradient) {
-      const Lanes slope = shape.influence_slope(r_squared);
+      const Lanes slope = at.influence_slope();
       for (int a = 0; a < 3; ++a) {
         const int b = (a + 1) % 3, c = (a + 2) % 3;
         const Lanes along = slope * cross[a];

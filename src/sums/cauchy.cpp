@@ -13,13 +13,15 @@ namespace {
 struct CauchyKernel {
   static constexpr int dimension = 2, strengths = 2, outputs = 2;
 
+  PointShape<2> shape;
+
   [[gnu::always_inline]] void add(const std::array<Lanes, 2>& difference,
                                   const std::array<double, 2>& strength,
-                                  std::array<Lanes, 2>& sums) const {
+                                  const PointShape<2>::At& at, std::array<Lanes, 2>& sums) const {
     const auto& [x, y] = difference;
-    const Lanes inverse = PointShape<2>::influence(square_of<2>(difference));
-    sums[0] += (strength[0] * x + strength[1] * y) * inverse;
-    sums[1] += (strength[1] * x - strength[0] * y) * inverse;
+    const Lanes inverse = at.influence();
+    sums[0] = fused(fused(strength[0], x, strength[1] * y), inverse, sums[0]);
+    sums[1] = fused(fused(strength[1], x, -(strength[0] * y)), inverse, sums[1]);
   }
 };
 

@@ -55,7 +55,8 @@ class Gravity<D>::Sum::OfShape final : public Gravity<D>::Sum {
   }
 
   void take_own_part(const Sources<D>& sources, std::span<double> potential) const override {
-    const Lanes centre = Shape::of_size(sources.core_size).potential(Lanes(0));
+    const auto shape = Shape::of_size(sources.core_size);
+    const Lanes centre = at_distance(shape, 0).potential();
     const double own = D == 2 ? centre[0] : -centre[0];
     for (std::size_t i = 0; i < potential.size(); ++i) potential[i] -= sources.strength[i] * own;
   }

@@ -19,17 +19,18 @@ struct GravityKernel {
   [[no_unique_address]] Shape shape;
 
   [[gnu::always_inline]] void add(const std::array<Lanes, dimension>& difference,
-                                  const std::array<double, 1>& mass,
+                                  const std::array<double, 1>& mass, const typename Shape::At& at,
                                   std::array<Lanes, outputs>& sums) const {
-    const Lanes r_squared = square_of<dimension>(difference);
     if constexpr (has_potential) {
       constexpr double sign = dimension == 2 ? 1 : -1;
-      sums[0] += sign * mass[0] * shape.potential(r_squared);
+      sums[0] = fused(sign * mass[0], at.potential(), sums[0]);
     }
     if constexpr (has_gradient) {
-      const Lanes factor = mass[0] * shape.influence(r_squared);
-      for (int d = 0; d < dimension; ++d)
-        sums[d + (has_potential ? 1 : 0)] += factor * difference[d];
+      const Lanes factor = mass[0] * at.influence();
+      for (int d = 0; d < dimension; ++d) {
+        Lanes& sum = sums[d + (has_potential ? 1 : 0)];
+        sum = fused(factor, difference[d], sum);
+      }
     }
   }
 };

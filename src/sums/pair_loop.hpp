@@ -6,6 +6,7 @@
 
 #include "mote/sums/lane_access.hpp"
 #include "mote/sums/pair_kernel.hpp"
+#include "mote/sums/pair_shapes.hpp"
 
 namespace mote {
 
@@ -30,14 +31,18 @@ inline constexpr std::size_t column_padding = lane_count;
 
 namespace pair_loop {
 
+template <PairKernel K>
+using AheadOf = typename decltype(K::shape)::Ahead;
+
 /// So many sources stay in the first cache while all targets pass by; their sum is formed apart
 /// and then added, which also keeps the errors of rounding small.
 inline constexpr std::size_t sources_at_once = 512;
 
-/// How many packs of targets share a source. What they need must fit into registers.
+/// How many packs of targets share a source: enough to work on while others wait for divisions and
+/// roots, but not so many that much of what they need does not fit into registers.
 template <PairKernel K>
 inline constexpr std::size_t packs_at_once =
-    std::clamp<std::size_t>(20 / (K::dimension + K::outputs), 1, 4);
+    std::clamp<std::size_t>(24 / (K::dimension + K::outputs), 1, 4);
 
 /// Adds the first `count` lanes, or all.
 [[gnu::always_inline]] inline void add_to_column(const Lanes& sum, double* column,
@@ -53,6 +58,8 @@ inline constexpr std::size_t packs_at_once =
 }
 
 /// Adds what the sources do to `Packs` packs of targets, the last of which may be filled in part.
+/// Two sources are taken at a time, and what the shape can begin ahead of the next two is begun
+/// before these are finished: so divisions and roots never keep the rest waiting.
 /// Flattened, as the compiler leaves some operations of lanes as calls where there are many.
 template <std::size_t Packs, PairKernel K>
 [[gnu::flatten]] void add_to_packs(const K& kernel, const TargetColumns<K>& targets, Range target,
@@ -60,27 +67,47 @@ template <std::size_t Packs, PairKernel K>
                                    const OutputColumns<K>& outputs) {
   std::array<std::array<Lanes, K::dimension>, Packs> place;
   std::array<std::array<Lanes, K::outputs>, Packs> sums;
-  unrolled<Packs>([&](auto p) __attribute__((always_inline)) {
+  std::array<AheadOf<K>, Packs> ahead;
+  const auto difference = [&](auto p, std::size_t j) __attribute__((always_inline)) {
+    std::array<Lanes, K::dimension> result;
     unrolled<K::dimension>([&](auto d) __attribute__((always_inline)) {
-      place[p][d].copy_from(targets[d] + target.begin + p * lane_count,
-                            std::experimental::element_aligned);
+      result[d] = place[p][d] - sources.position[d][j];
     });
-    unrolled<K::outputs>([&](auto c) __attribute__((always_inline)) { sums[p][c] = 0; });
-  });
-  for (std::size_t j = range.begin; j < range.end; ++j) {
+    return result;
+  };
+  const auto begun = [&](auto p, std::size_t j) __attribute__((always_inline)) {
+    const std::size_t next = std::min(j + 1, range.end - 1);
+    return kernel.shape.ahead(
+        {square_of<K::dimension>(difference(p, j)), square_of<K::dimension>(difference(p, next))});
+  };
+  const auto finish = [&](auto p, const AheadOf<K>& now, std::size_t which, std::size_t j)
+      __attribute__((always_inline)) {
     std::array<double, K::strengths> strength;
     unrolled<K::strengths>([&](auto s) __attribute__((always_inline)) {
       strength[s] = sources.strength[s][j];
     });
-    unrolled<Packs>([&](auto p) __attribute__((always_inline)) {
-      std::array<Lanes, K::dimension> difference;
-      unrolled<K::dimension>([&](auto d) __attribute__((always_inline)) {
-        difference[d] = place[p][d] - sources.position[d][j];
-      });
-      kernel.add(difference, strength, sums[p]);
-    });
-  }
+    const auto r = difference(p, j);
+    const auto at = kernel.shape.at(now, which, square_of<K::dimension>(r));
+    kernel.add(r, strength, at, sums[p]);
+  };
+  std::size_t j = range.begin;
   unrolled<Packs>([&](auto p) __attribute__((always_inline)) {
+    unrolled<K::dimension>([&](auto d) __attribute__((always_inline)) {
+      place[p][d] = load(targets[d] + target.begin + p * lane_count);
+    });
+    unrolled<K::outputs>([&](auto c) __attribute__((always_inline)) { sums[p][c] = 0; });
+    ahead[p] = begun(p, j);
+  });
+  for (; j + 2 < range.end; j += 2)
+    unrolled<Packs>([&](auto p) __attribute__((always_inline)) {
+      const AheadOf<K> now = ahead[p];
+      ahead[p] = begun(p, j + 2);
+      finish(p, now, 0, j);
+      finish(p, now, 1, j + 1);
+    });
+  unrolled<Packs>([&](auto p) __attribute__((always_inline)) {
+    finish(p, ahead[p], 0, j);
+    if (j + 1 < range.end) finish(p, ahead[p], 1, j + 1);
     const std::size_t first = target.begin + p * lane_count;
     unrolled<K::outputs>([&](auto c) __attribute__((always_inline)) {
       add_to_column(sums[p][c], outputs[c] + first, target.end - first);
