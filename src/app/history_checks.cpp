@@ -98,8 +98,9 @@ std::string label_of(const HistoryCheck& check) {
   if (check.decay_rate)
     return fmt::format("{}, relative error of the decay rate {:.6g}", name, *check.decay_rate);
   if (!check.formula.empty()) return fmt::format("{}, relative error to {}", name, check.formula);
-  return fmt::format("{}, relative error to {}", name,
-                     check.file.empty() ? "the given values" : check.file);
+  return fmt::format(
+      "{}, relative error to {}{}", name, check.file.empty() ? "the given values" : check.file,
+      check.offset_time == 0 ? "" : fmt::format(" from its time {:.6g} on", check.offset_time));
 }
 
 void append_results(const HistoryCheck& check, const Curve& curve, const Constants& constants,
