@@ -36,6 +36,14 @@ template <int D>
 struct PairPoints {
   std::span<const PairLine<D>> lines;
   std::span<const PairRole> roles;  ///< of every point
+  /// The velocity at which the mass of every ghost moves, where it is not that of its line: none if
+  /// it is for all.
+  std::span<const Vec<D>> carrying = {};
+
+  /// The velocity at which the mass of point i moves.
+  Vec<D> carrying_velocity(std::size_t i) const {
+    return roles[i] == PairRole::ghost && !carrying.empty() ? carrying[i] : lines[i].speed();
+  }
 };
 
 /// What a pass over all pairs found beside the sums.

@@ -251,6 +251,20 @@ class FluidTermsOn final : public FluidTerms<D> {
         lost[lane] *= 0.5;
   }
 
+  /// u.x of the velocities at which mass moves, where one end is a ghost.
+  static void let_carry(const PairPoints<D>& points, Index i, const EightNeighbours& eight,
+                        const EightPairs<D>& pair, Lanes& approach) {
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      const auto own = static_cast<std::size_t>(i);
+      const auto other = static_cast<std::size_t>(eight.number[lane]);
+      if (points.roles[own] != PairRole::ghost && points.roles[other] != PairRole::ghost) continue;
+      const Vec<D> u = points.carrying_velocity(own) - points.carrying_velocity(other);
+      double sum = 0;
+      for (int d = 0; d < D; ++d) sum += u[d] * pair.x[d][static_cast<std::size_t>(lane)];
+      approach[lane] = sum;
+    }
+  }
+
   /// Sums up  Du/Dt = V_i/m sum V_j F [...]  and
   ///   D ln rho/Dt = sum F [V_j u.x + 2 delta h c (V_j - V_i) - 2 delta h c V_i V_j x.grad
   ///   rho_rest/m]
@@ -286,7 +300,10 @@ class FluidTermsOn final : public FluidTerms<D> {
           }
           std::array<Lanes, 4> sent{0, 0, 0, exchange};
           if (all.carried) {
-            const Lanes compression = f * approach;
+            Lanes flow = approach;
+            if (ghosts && !all.points.carrying.empty()) [[unlikely]]
+              let_carry(all.points, i, eight, pair, flow);
+            const Lanes compression = f * flow;
             rate = rate + compression * lanes[Line::volume];
             sent[PairSums::rate] = exchange - compression * volume;
           }

@@ -20,23 +20,24 @@ void observe(const std::vector<Body>& bodies, double time, double half,
 template <int D>
 struct ContinuedFluid {
   Vec<D> velocity;
+  Vec<D> carrying;  ///< the velocity that carries mass
   double pressure;
 };
 
 /// The fluid that a wall particle has seen, carried on to it: the pressure with the weight of the
 /// fluid between under the acceleration `pull` relative to the wall (Adami, Hu & Adams 2012, (27)),
-/// the velocity linearly through the wall's own, and where the wall slips only its normal part so.
-/// `otherwise` is the pressure where no fluid is near.
+/// the velocity linearly through the wall's own. Only the normal part of it carries mass, and along
+/// the wall the fluid goes on as it is (De Leffe, Le Touze & Alessandrini 2011): where a wall that
+/// drags meets one that does not, mass would flow through their corner otherwise. Where the wall
+/// slips, that is all of its velocity. `otherwise` is the pressure where no fluid is near.
 template <int D>
 ContinuedFluid<D> continue_into_wall(const FluidSeen<D>& seen, const Surface<D>& surface,
                                      bool slips, const Vec<D>& pull, double otherwise) {
-  ContinuedFluid<D> ghost{surface.velocity - surface.depth * seen.shear, otherwise};
-  if (!(seen.weight > 0)) return ghost;
-  ghost.pressure = seen.pressure + pull.dot(seen.offset);
-  if (!slips) return ghost;
+  const Vec<D> velocity = surface.velocity - surface.depth * seen.shear;
+  if (!(seen.weight > 0)) return {velocity, velocity, otherwise};
   const Vec<D>& n = surface.normal;
-  ghost.velocity = seen.velocity + (ghost.velocity - seen.velocity).dot(n) * n;
-  return ghost;
+  const Vec<D> carrying = seen.velocity + (velocity - seen.velocity).dot(n) * n;
+  return {slips ? carrying : velocity, carrying, seen.pressure + pull.dot(seen.offset)};
 }
 
 }  // namespace mote

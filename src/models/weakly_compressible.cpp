@@ -202,7 +202,7 @@ void WeaklyCompressible<D>::update_rates_ahead(double time, double ahead) {
   write_image_lines();
   if (options_.density_form == FluidDensity::summation) sum_densities();
   if (options_.walls == WallForm::extrapolated) write_wall_lines();
-  const FluidPass pass = terms_->add_up({lines_, roles_}, neighbours_.lists(),
+  const FluidPass pass = terms_->add_up(points_of_pairs(), neighbours_.lists(),
                                         neighbours_.pair_order(), coefficients_, sums_);
   dissipation_ = pass.dissipation;
   work_.pairs += pass.pairs;

@@ -86,6 +86,7 @@ class WeaklyCompressible final : public Model {
   void find_neighbours(ListForm form);
   double skin_for(double travel) const;
   bool needs_all_neighbours() const;
+  bool drags_at_ghosts() const;
   void assign_roles();
   void rearrange(std::span<const Index> order);
   void remove_what_left(double time);
@@ -108,6 +109,7 @@ class WeaklyCompressible final : public Model {
   PairSums& sums_of_receiver(Index k) {
     return sums_[static_cast<std::size_t>(receiver_of_operator_[static_cast<std::size_t>(k)])];
   }
+  PairPoints<D> points_of_pairs() const { return {lines_, roles_, carrying_}; }
   FluidSpread<D> spread_of(Index i) const;
   void refresh_lines(double time);
   void add_density_correction();
@@ -149,14 +151,16 @@ class WeaklyCompressible final : public Model {
   NeighbourLists operator_lists_;
   std::vector<Index> number_, receiver_of_operator_;
   std::vector<Line> lines_of_operator_;
-  std::vector<Vec<D>> slopes_;       ///< of the density
-  std::vector<Vec<D>> gains_;        ///< of velocity by shifting
-  std::vector<std::uint8_t> moves_;  ///< whether shifting moves a particle
+  std::vector<Vec<D>> carrying_of_operator_;  ///< velocities at which mass moves
+  std::vector<Vec<D>> slopes_;                ///< of the density
+  std::vector<Vec<D>> gains_;                 ///< of velocity by shifting
+  std::vector<std::uint8_t> moves_;           ///< whether shifting moves a particle
   FluidNeighbours<D> neighbours_;
   std::vector<Index> order_;
   std::vector<Line> lines_;
-  std::vector<PairSums> sums_;   ///< of every line; 0 between evaluations
-  std::vector<PairRole> roles_;  ///< of every line
+  std::vector<PairSums> sums_;    ///< of every line; 0 between evaluations
+  std::vector<PairRole> roles_;   ///< of every line
+  std::vector<Vec<D>> carrying_;  ///< of every line, if it differs anywhere; see PairPoints
   std::vector<WallMotion> motions_;
   bool lists_are_current_ = false, rates_are_current_ = false;
   double now_ = 0;               ///< time of the last step's start

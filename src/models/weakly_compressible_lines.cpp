@@ -48,6 +48,8 @@ void WeaklyCompressible<D>::write_image_lines() {
     for (std::size_t d = 0; d < D; ++d)
       line.value[Line::position + d] += images[k].shift[static_cast<Eigen::Index>(d)];
     lines_[count + k] = line;
+    if (!carrying_.empty())
+      carrying_[count + k] = carrying_[static_cast<std::size_t>(images[k].owner)];
   }
 }
 
@@ -91,6 +93,7 @@ void WeaklyCompressible<D>::extrapolate_to(Index i) {
   if (neighbours_.lists()[i].empty()) {
     line.value[Line::volume] = mass_ / state_.density;
     line.value[Line::pressure] = options_.background_pressure;
+    if (!carrying_.empty()) carrying_[static_cast<std::size_t>(i)] = line.speed();
     return;
   }
   const WallPlace& place = place_of(i);
@@ -105,6 +108,7 @@ void WeaklyCompressible<D>::extrapolate_to(Index i) {
   const ContinuedFluid<D> ghost =
       continue_into_wall(seen, surface, body_of(i).slips, pull, options_.background_pressure);
   Vec<D>::Map(line.value.data() + Line::velocity) = ghost.velocity;
+  if (!carrying_.empty()) carrying_[static_cast<std::size_t>(i)] = ghost.carrying;
   line.value[Line::pressure] = ghost.pressure;
   line.value[Line::volume] = mass_ / state_.density_at(ghost.pressure);
 }

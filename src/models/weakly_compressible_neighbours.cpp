@@ -40,6 +40,7 @@ void WeaklyCompressible<D>::find_neighbours(ListForm form) {
   lines_.resize(static_cast<std::size_t>(count) + neighbours_.images().size());
   sums_.assign(lines_.size(), {});
   assign_roles();
+  if (drags_at_ghosts()) carrying_.resize(lines_.size());
 #pragma omp parallel for schedule(static) if (parallel_from <= count)
   for (Index i = 0; i < count; ++i)
     std::copy_n(position_.begin() + std::ptrdiff_t{i} * D, D,
@@ -47,6 +48,15 @@ void WeaklyCompressible<D>::find_neighbours(ListForm form) {
   moved_ = 0;
   lists_are_current_ = true;
   ++course_.rebuilds;
+}
+
+/// Whether there are ghosts that do not slip.
+template <int D>
+bool WeaklyCompressible<D>::drags_at_ghosts() const {
+  return options_.walls == WallForm::extrapolated &&
+         std::ranges::any_of(start_.bodies, [](const Body& body) {
+           return body.kind == BodyKind::wall && !body.slips;
+         });
 }
 
 /// Walls into which the fluid is continued are ghosts.

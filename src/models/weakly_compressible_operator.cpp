@@ -57,10 +57,12 @@ void WeaklyCompressible<D>::add_operator_terms() {
   if (!uses_operator()) return;
   prepare_operator();
   lines_of_operator_.resize(lines_.size());
+  carrying_of_operator_.resize(lines_.size());
   receiver_of_operator_.resize(static_cast<std::size_t>(points_.receivers));
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const auto k = static_cast<std::size_t>(number_[i]);
     lines_of_operator_[k] = lines_[i];
+    carrying_of_operator_[k] = points_of_pairs().carrying_velocity(i);
     if (k < receiver_of_operator_.size()) receiver_of_operator_[k] = static_cast<Index>(i);
   }
   if (options_.pressure == Derivatives::by_operator ||
@@ -76,12 +78,14 @@ void WeaklyCompressible<D>::add_first_derivatives() {
   for_each_row<Vec<D>>(operator_lists_, [&](Index k, auto neighbours, auto weights) {
     operator_->gradient_weights(k, weights);
     const Line& own = lines_of_operator_[static_cast<std::size_t>(k)];
+    const Vec<D>& velocity = carrying_of_operator_[static_cast<std::size_t>(k)];
     Vec<D> slope = Vec<D>::Zero();
     double spreading = 0;
     for (std::size_t n = 0; n < neighbours.size(); ++n) {
-      const Line& other = lines_of_operator_[static_cast<std::size_t>(neighbours[n])];
-      slope += weights[n] * (other.value[Line::pressure] - own.value[Line::pressure]);
-      spreading += weights[n].dot(other.speed() - own.speed());
+      const auto other = static_cast<std::size_t>(neighbours[n]);
+      slope += weights[n] *
+               (lines_of_operator_[other].value[Line::pressure] - own.value[Line::pressure]);
+      spreading += weights[n].dot(carrying_of_operator_[other] - velocity);
     }
     PairSums& sums = sums_of_receiver(k);
     const double density = mass_ / own.value[Line::volume];
