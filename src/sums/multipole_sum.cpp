@@ -100,7 +100,7 @@ class MultipoleSum<D>::Descent {
       open.pop_back();
       const TreeNode<D>& source = sources_.node(s);
       const Vec<D> apart = target.centre - source.centre;
-      const int degree = degree_for(source.radius, target.radius, apart.norm());
+      const int degree = degree_for(sum_.series_of(s), source, target, apart.norm());
       const bool both_leaves = at_leaf && sources_.is_leaf(s);
       if (degree <= expansion_.degree() &&
           !(both_leaves && few_pairs(source.points, target.points, degree)))
@@ -114,9 +114,10 @@ class MultipoleSum<D>::Descent {
     }
   }
 
-  int degree_for(double source_radius, double target_radius, double distance) const {
-    if (distance - source_radius - target_radius <= least_gap_) return expansion_.degree() + 1;
-    return expansion_.degree_for(source_radius, target_radius, distance);
+  int degree_for(const double* series, const TreeNode<D>& source, const TreeNode<D>& target,
+                 double distance) const {
+    if (distance - source.radius - target.radius <= least_gap_) return expansion_.degree() + 1;
+    return expansion_.degree_for(series, source, target, distance);
   }
 
   /// Whether two leaves are sooner summed pair by pair than by series.
