@@ -9,16 +9,11 @@
 namespace mote {
 namespace {
 
-/// What a pair of nodes may err, over the tolerance of the sum. The bounds of a pair's errors hold
-/// for any points; that those of some hundred pairs a target add up to no more than the tolerance
-/// is measured: over random, clustered and regular points, masses and tolerances of all kinds the
-/// sums reached 0.46 of it. The worst are targets in the middle of shells, where errors have one
-/// sign.
-constexpr double share_of_a_pair = 0.12;
-
-/// Pairs of larger nodes are few and cost little, but act on many targets alike: their share falls
-/// with the root of the points from this number on.
-constexpr double few_points = 32;
+/// What a pair of nodes may err, over what the sum may. That the error of a pair stays below its
+/// share is proved for any points; that those of hundreds of pairs at a target add up to less than
+/// the whole is measured, as most of them have no common sign. The worst are targets in the middle
+/// of shells and of clusters that are alike at all scales.
+constexpr double share_of_a_pair = 0.06;
 
 /// No pair needs to be better than this part of its sources' strength over the distance.
 constexpr double rounding = 4e-16;
@@ -53,13 +48,11 @@ int SpaceExpansion::degree_for(const double* series, const TreeNode<3>& source,
                                const TreeNode<3>& target, double distance) const {
   const PairOfBalls pair{source.radius, target.radius, distance};
   if (are_too_near(pair)) return degree() + 1;
-  const auto larger = static_cast<double>(std::max(source.points.count(), target.points.count()));
-  const double part = std::sqrt(std::min(1.0, few_points / larger));
   const double* powers = series + threads_.front().coefficients();
   double least = rounding * powers[0] / distance;
   FarErrors allowed;
   for (std::size_t i = 0; i < allowed.size(); ++i, least /= distance)
-    allowed[i] = std::max(part * allowed_[i], least);
+    allowed[i] = std::max(allowed_[i], least);
   return TranslationErrors(powers, degree(), pair).lowest_degree(allowed);
 }
 

@@ -49,7 +49,7 @@ class SpaceExpansion {
 
   int components_;
   double tolerance_;
-  FarErrors allowed_{};  ///< of a pair of small nodes
+  FarErrors allowed_{};  ///< of a pair of nodes
   mutable std::vector<HarmonicExpansion> threads_;
 };
 

@@ -11,6 +11,10 @@ namespace {
 /// Places in the row of numbers.
 enum Place : std::size_t { strength, reach, monopole, others, higher_degrees };
 
+/// The lowest degree that is taken, however large the errors may be: those of lower ones have a
+/// common sign over many pairs.
+constexpr int lowest = 3;
+
 double power_of(double base, int exponent) {
   double power = 1;
   for (; exponent > 0; exponent /= 2, base *= base)
@@ -132,7 +136,7 @@ std::array<Lanes, 3> TranslationErrors::from_degree(int first) const {
 }
 
 int TranslationErrors::lowest_degree(const FarErrors& allowed) const {
-  for (int first = 2; first <= degree_; first += static_cast<int>(lane_count)) {
+  for (int first = lowest; first <= degree_; first += static_cast<int>(lane_count)) {
     const auto errors = from_degree(first);
     const auto fits = errors[0] <= allowed[0] && errors[1] <= allowed[1] && errors[2] <= allowed[2];
     if (any_of(fits)) return std::min(first + find_first_set(fits), degree_ + 1);

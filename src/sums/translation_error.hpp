@@ -69,7 +69,7 @@ class TranslationErrors {
   /// Of the potential and of its derivatives, for the eight degrees from `first` on. Those above
   /// the highest mean nothing.
   std::array<Lanes, 3> from_degree(int first) const;
-  /// The lowest degree from 2 on whose errors are at most as `allowed`; `degree` + 1 if there is
+  /// The lowest degree from 3 on whose errors are at most as `allowed`; `degree` + 1 if there is
   /// none.
   int lowest_degree(const FarErrors& allowed) const;
 
