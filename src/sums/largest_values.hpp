@@ -42,7 +42,7 @@ class LargestValues {
     largest.fill(std::numeric_limits<double>::infinity());
     for (const FieldPart& part : parts) {
       double& of_part = largest[static_cast<std::size_t>(part.derivatives)] = 0;
-      for (std::size_t i = 0; i < chosen; ++i) of_part = std::max(of_part, size_of(part, sums_, i));
+      for (std::size_t i = 0; i < chosen; ++i) of_part = std::max(of_part, size_of(part, i));
     }
     return largest;
   }
@@ -60,11 +60,18 @@ class LargestValues {
   };
   using Candidates = std::array<Candidate, parts.size()>;  ///< of one leaf
 
-  template <class Numbers>
-  static double size_of(const FieldPart& part, const Numbers& outputs, std::size_t i) {
+  static double largest_number(const FieldPart& part, const OutputColumns<K>& outputs,
+                               std::size_t i) {
+    double largest = 0;
+    for (int c = part.first; c < part.first + part.count; ++c)
+      largest = std::max(largest, std::abs(outputs[static_cast<std::size_t>(c)][i]));
+    return largest;
+  }
+
+  double size_of(const FieldPart& part, std::size_t i) const {
     double size = 0;
     for (int c = part.first; c < part.first + part.count; ++c)
-      size = std::hypot(size, outputs[static_cast<std::size_t>(c)][i]);
+      size = std::hypot(size, sums_[static_cast<std::size_t>(c)][i]);
     return size;
   }
 
@@ -111,8 +118,8 @@ class LargestValues {
     for (std::size_t p = 0; p < parts.size(); ++p) {
       most[p] = {0, leaf.begin};
       for (std::size_t i = 0; i < count; ++i)
-        if (const double size = size_of(parts[p], outputs, i); size > most[p].value)
-          most[p] = {size, leaf.begin + i};
+        if (const double largest = largest_number(parts[p], outputs, i); largest > most[p].value)
+          most[p] = {largest, leaf.begin + i};
     }
     return most;
   }

@@ -23,15 +23,11 @@ double power_of(double base, int exponent) {
 }
 
 /// first, first x, first x^2, ...
-Lanes powers_from(double first, double x) {
+[[gnu::always_inline]] inline Lanes powers_from(double first, double x) {
   const double square = x * x, fourth = square * square;
-  Lanes powers = first;
-  const Lanes lane([](auto i) { return static_cast<double>(i); });
-  const Lanes in_four = lane - 4 * floor(lane / 4), in_two = lane - 2 * floor(lane / 2);
-  where(lane >= 4, powers) *= fourth;
-  where(in_four >= 2, powers) *= square;
-  where(in_two >= 1, powers) *= x;
-  return powers;
+  return first * Lanes([&](auto lane) { return lane & 1 ? x : 1.0; }) *
+         Lanes([&](auto lane) { return lane & 2 ? square : 1.0; }) *
+         Lanes([&](auto lane) { return lane & 4 ? fourth : 1.0; });
 }
 
 }  // namespace
@@ -117,7 +113,7 @@ TranslationErrors::TranslationErrors(const double* powers, int degree, const Pai
 // that is p + 3 times the second sum over b, and for the first p + 3 or k + 4 times it over d - b.
 std::array<Lanes, 3> TranslationErrors::from_degree(int first) const {
   const auto [a, b, d] = pair_;
-  const double q = a * inverse_gap_, t = b / d, u = b / (d - a);
+  const double q = a * inverse_gap_, t = b / d, u = b / (d - a), inverse_radius = 1 / b;
   const Lanes degree([first](auto i) { return static_cast<double>(first) + i; });
   const Lanes higher = load(powers_ + higher_degrees + first) *
                        powers_from(power_of(q, first + 1) * inverse_gap_, q);
@@ -130,12 +126,12 @@ std::array<Lanes, 3> TranslationErrors::from_degree(int first) const {
     error = source + beyond + target;
     source *= (degree + 3) * inverse_gap_;
     beyond *= (degree_ + 5) * inverse_gap_;
-    target *= (degree + 3) / b;
+    target *= (degree + 3) * inverse_radius;
   }
   return errors;
 }
 
-int TranslationErrors::lowest_degree(const FarErrors& allowed) const {
+[[gnu::flatten]] int TranslationErrors::lowest_degree(const FarErrors& allowed) const {
   for (int first = lowest; first <= degree_; first += static_cast<int>(lane_count)) {
     const auto errors = from_degree(first);
     const auto fits = errors[0] <= allowed[0] && errors[1] <= allowed[1] && errors[2] <= allowed[2];
