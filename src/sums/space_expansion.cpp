@@ -15,6 +15,10 @@ namespace {
 /// of shells and of clusters that are alike at all scales.
 constexpr double share_of_a_pair = 0.06;
 
+/// Above so many targets the share falls with the root of their number: pairs of large nodes are few
+/// and cost little, but their errors are common to many targets.
+constexpr double targets_of_a_share = 256;
+
 /// No pair needs to be better than this part of its sources' strength over the distance.
 constexpr double rounding = 4e-16;
 
@@ -49,10 +53,12 @@ int SpaceExpansion::degree_for(const double* series, const TreeNode<3>& source,
   const PairOfBalls pair{source.radius, target.radius, distance};
   if (are_too_near(pair)) return degree() + 1;
   const double* powers = series + threads_.front().coefficients();
+  const double targets = target.points.count();
+  const double part = std::sqrt(std::min(1.0, targets_of_a_share / targets));
   double least = rounding * powers[0] / distance;
   FarErrors allowed;
   for (std::size_t i = 0; i < allowed.size(); ++i, least /= distance)
-    allowed[i] = std::max(allowed_[i], least);
+    allowed[i] = std::max(part * allowed_[i], least);
   return TranslationErrors(powers, degree(), pair).lowest_degree(allowed);
 }
 
