@@ -15,8 +15,8 @@ namespace {
 /// of shells and of clusters that are alike at all scales.
 constexpr double share_of_a_pair = 0.06;
 
-/// Above so many targets the share falls with the root of their number: pairs of large nodes are few
-/// and cost little, but their errors are common to many targets.
+/// Above so many targets the share falls with the root of their number: pairs of large nodes are
+/// few and cost little, but their errors are common to many targets.
 constexpr double targets_of_a_share = 256;
 
 /// No pair needs to be better than this part of its sources' strength over the distance.
@@ -60,6 +60,19 @@ int SpaceExpansion::degree_for(const double* series, const TreeNode<3>& source,
   for (std::size_t i = 0; i < allowed.size(); ++i, least /= distance)
     allowed[i] = std::max(part * allowed_[i], least);
   return TranslationErrors(powers, degree(), pair).lowest_degree(allowed);
+}
+
+int SpaceExpansion::degree_within(const double* local, double radius) const {
+  FarErrors rest{};
+  for (int l = degree(); l > 0; --l) {
+    double square = 0;
+    for (std::size_t i = harmonic_count(l - 1); i < harmonic_count(l); ++i)
+      square += local[i] * local[i];
+    double largest = std::sqrt(square);
+    for (std::size_t k = 0; k < rest.size(); ++k, largest *= l / radius)
+      if ((rest[k] += largest) > allowed_[k]) return l;
+  }
+  return 0;
 }
 
 HarmonicExpansion& SpaceExpansion::mine() const {

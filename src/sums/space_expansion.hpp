@@ -32,6 +32,10 @@ class SpaceExpansion {
   int degree_for(const double* series, const TreeNode<3>& source, const TreeNode<3>& target,
                  double distance) const;
 
+  /// The degree of a local series, of one component, beyond which all that it holds within a radius
+  /// is less than a pair of nodes may err.
+  int degree_within(const double* local, double radius) const;
+
   /// Pairs of points that are summed in the time of one translation, as measured.
   static std::int64_t pairs_for_a_translation(int degree) { return 4 * degree * degree; }
 

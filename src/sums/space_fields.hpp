@@ -57,7 +57,7 @@ requires(Shape::dimension == 3) class FarField<GravityKernel<Shape, Part>> {
   }();
 
   FarField(const SpaceExpansion& expansion, const double* local, double radius)
-      : potential_(expansion.degree()) {
+      : potential_(expansion.degree_within(local, radius)) {
     potential_.prepare(local, {{0, 0, 0}, radius});
   }
 
