@@ -15,7 +15,7 @@ constexpr Index points_a_task = 4096;
 template <int D>
 void MultipoleSum<D>::evaluate(const TreePair<D>& points, LeafSums& leaves) {
   if (points.targets.count() == 0 || points.sources.count() == 0) return;
-  series_.assign(points.sources.nodes().size() * expansion_.size(), 0);
+  series_.resize(points.sources.nodes().size() * expansion_.size());
   expansion_.make_room_for_threads();
   const bool many = std::max(points.targets.count(), points.sources.count()) >= points_a_task;
 #pragma omp parallel if (many)
@@ -28,10 +28,11 @@ void MultipoleSum<D>::evaluate(const TreePair<D>& points, LeafSums& leaves) {
   }
 }
 
-/// The series of all sources below a node.
+/// The series of all sources below a node; cleared here, by the thread that fills it at once.
 template <int D>
 void MultipoleSum<D>::gather(const TreePair<D>& points, Index n) {
   const PointTree<D>& tree = points.sources;
+  std::fill_n(series_of(n), expansion_.size(), 0.0);
   if (tree.is_leaf(n)) return expansion_.add_points(tree, n, points.strengths, series_of(n));
   std::vector<Index> below;
   std::vector<Child<D>> children;
