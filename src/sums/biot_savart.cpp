@@ -58,7 +58,7 @@ class BiotSavart<D>::Sum::OfShape final : public BiotSavart<D>::Sum {
  private:
   static FarExpansion<D> expansion(double tolerance) {
     if constexpr (D == 2) return LaurentExpansion(tolerance, false);
-    if constexpr (D == 3) return SpaceExpansion(tolerance, 3, 2);
+    if constexpr (D == 3) return SpaceExpansion(tolerance, 3);
   }
 
   double tolerance_;

@@ -11,4 +11,10 @@ namespace mote {
 template <PairKernel K>
 class FarField;
 
+/// Outputs of a kernel that are derivatives of the potential of one order.
+struct FieldPart {
+  int first, count;
+  int derivatives;
+};
+
 }  // namespace mote

@@ -66,7 +66,7 @@ class Gravity<D>::Sum::OfShape final : public Gravity<D>::Sum {
  private:
   static FarExpansion<D> expansion(double tolerance) {
     if constexpr (D == 2) return LaurentExpansion(tolerance, true);
-    if constexpr (D == 3) return SpaceExpansion(tolerance, 1, 1);
+    if constexpr (D == 3) return SpaceExpansion(tolerance, 1);
   }
 
   template <GravityPart Part>

@@ -29,9 +29,12 @@ class LaurentExpansion {
 
   std::size_t size() const { return 2 * stride_ + lane_count; }
 
-  /// The terms that a pair of nodes of radii a and b, d apart, needs; more than `degree()` if they
-  /// are too near for any expansion.
-  int degree_for(double a, double b, double d) const { return degrees_(a, b, d); }
+  /// The terms that a pair of nodes needs, whatever the series of the source; more than `degree()`
+  /// if they are too near for any expansion.
+  int degree_for(const double*, const TreeNode<2>& source, const TreeNode<2>& target,
+                 double distance) const {
+    return degrees_(source.radius, target.radius, distance);
+  }
   int degree() const { return degrees_.degree(); }
   void make_room_for_threads() {}
 

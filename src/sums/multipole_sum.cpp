@@ -15,7 +15,7 @@ constexpr Index points_a_task = 4096;
 template <int D>
 void MultipoleSum<D>::evaluate(const TreePair<D>& points, LeafSums& leaves) {
   if (points.targets.count() == 0 || points.sources.count() == 0) return;
-  series_.assign(points.sources.nodes().size() * expansion_.size(), 0);
+  series_.resize(points.sources.nodes().size() * expansion_.size());
   expansion_.make_room_for_threads();
   const bool many = std::max(points.targets.count(), points.sources.count()) >= points_a_task;
 #pragma omp parallel if (many)
@@ -28,10 +28,11 @@ void MultipoleSum<D>::evaluate(const TreePair<D>& points, LeafSums& leaves) {
   }
 }
 
-/// The series of all sources below a node.
+/// The series of all sources below a node; cleared here, by the thread that fills it at once.
 template <int D>
 void MultipoleSum<D>::gather(const TreePair<D>& points, Index n) {
   const PointTree<D>& tree = points.sources;
+  std::fill_n(series_of(n), expansion_.size(), 0.0);
   if (tree.is_leaf(n)) return expansion_.add_points(tree, n, points.strengths, series_of(n));
   std::vector<Index> below;
   std::vector<Child<D>> children;
@@ -100,7 +101,7 @@ class MultipoleSum<D>::Descent {
       open.pop_back();
       const TreeNode<D>& source = sources_.node(s);
       const Vec<D> apart = target.centre - source.centre;
-      const int degree = degree_for(source.radius, target.radius, apart.norm());
+      const int degree = degree_for(sum_.series_of(s), source, target, apart.norm());
       const bool both_leaves = at_leaf && sources_.is_leaf(s);
       if (degree <= expansion_.degree() &&
           !(both_leaves && few_pairs(source.points, target.points, degree)))
@@ -114,9 +115,10 @@ class MultipoleSum<D>::Descent {
     }
   }
 
-  int degree_for(double source_radius, double target_radius, double distance) const {
-    if (distance - source_radius - target_radius <= least_gap_) return expansion_.degree() + 1;
-    return expansion_.degree_for(source_radius, target_radius, distance);
+  int degree_for(const double* series, const TreeNode<D>& source, const TreeNode<D>& target,
+                 double distance) const {
+    if (distance - source.radius - target.radius <= least_gap_) return expansion_.degree() + 1;
+    return expansion_.degree_for(series, source, target, distance);
   }
 
   /// Whether two leaves are sooner summed pair by pair than by series.

@@ -42,7 +42,7 @@ class MultipoleSum {
  public:
   explicit MultipoleSum(FarExpansion<D> expansion) : expansion_(std::move(expansion)) {}
 
-  const FarExpansion<D>& expansion() const { return expansion_; }
+  FarExpansion<D>& expansion() { return expansion_; }
   void evaluate(const TreePair<D>& points, LeafSums& leaves);
 
  private:

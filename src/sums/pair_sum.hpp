@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdlib>
 #include <memory>
 
 #include "mote/sums/direct_sum.hpp"
@@ -9,7 +8,8 @@
 namespace mote {
 
 /// Points of a leaf of a tree: fewer make more far pairs, more make more pairs of points.
-inline constexpr Index leaf_capacity = 64;
+template <int D>
+inline constexpr Index leaf_capacity = D == 2 ? 64 : 40;
 
 /// Sums of pair kernels over all pairs by the method of the settings, direct or multipole.
 template <int D>
@@ -19,8 +19,7 @@ class PairSum {
   template <class Expansion>
   PairSum(SumMethod method, Expansion expansion) {
     if (method == SumMethod::multipole)
-      tree_ = std::make_unique<TreeSum<D>>(expansion(),
-                                           getenv("LEAF") ? atoi(getenv("LEAF")) : leaf_capacity);
+      tree_ = std::make_unique<TreeSum<D>>(expansion(), leaf_capacity<D>);
   }
 
   /// The points of the next sum; `targets` may be the sources' own places. Strengths are multiplied

@@ -16,6 +16,13 @@ namespace mote {
 template <class Shape, bool WithGradient>
 requires(Shape::dimension == 3) class FarField<VortexKernel<Shape, WithGradient>> {
  public:
+  static constexpr auto parts = [] {
+    if constexpr (WithGradient)
+      return std::array{FieldPart{0, 3, 1}, FieldPart{3, 9, 2}};
+    else
+      return std::array{FieldPart{0, 3, 1}};
+  }();
+
   FarField(const SpaceExpansion& expansion, const double* local, double radius)
       : curl_(expansion.degree()) {
     curl_.prepare(local, {{0, 0, 0}, radius}, WithGradient);
@@ -40,8 +47,17 @@ requires(Shape::dimension == 3) class FarField<VortexKernel<Shape, WithGradient>
 template <class Shape, GravityPart Part>
 requires(Shape::dimension == 3) class FarField<GravityKernel<Shape, Part>> {
  public:
+  static constexpr auto parts = [] {
+    if constexpr (Part == GravityPart::both)
+      return std::array{FieldPart{0, 1, 0}, FieldPart{1, 3, 1}};
+    else if constexpr (Part == GravityPart::potential)
+      return std::array{FieldPart{0, 1, 0}};
+    else
+      return std::array{FieldPart{0, 3, 1}};
+  }();
+
   FarField(const SpaceExpansion& expansion, const double* local, double radius)
-      : potential_(expansion.degree()) {
+      : potential_(expansion.degree_within(local, radius)) {
     potential_.prepare(local, {{0, 0, 0}, radius});
   }
 

@@ -6,6 +6,7 @@
 
 #include "mote/sums/far_field.hpp"
 #include "mote/sums/lane_access.hpp"
+#include "mote/sums/largest_values.hpp"
 #include "mote/sums/multipole_sum.hpp"
 #include "mote/sums/number_columns.hpp"
 #include "mote/sums/pair_loop.hpp"
@@ -42,6 +43,7 @@ class TreeSum {
     std::array<const double*, K::strengths> strengths;
     for (int s = 0; s < K::strengths; ++s)
       strengths[static_cast<std::size_t>(s)] = strengths_.column(s);
+    if constexpr (D == 3) expect_largest(kernel, strengths);
     Leaves<K> leaves(kernel, *this, strengths);
     multipoles_.evaluate({*targets_, source_tree_, strengths, least_gap}, leaves);
   }
@@ -54,6 +56,20 @@ class TreeSum {
  private:
   template <PairKernel K>
   class Leaves;
+
+  /// Tells the expansions how large the sums will be at least, which their tolerance is relative
+  /// to.
+  template <PairKernel K>
+  void expect_largest(const K& kernel, const std::array<const double*, K::strengths>& strengths) {
+    if (targets_->count() == 0 || source_tree_.count() == 0) return;
+    PlacedPairs<K> pairs{
+        *targets_, {}, {{}, strengths}, strengths_.rows(), targets_ == &source_tree_};
+    for (std::size_t d = 0; d < D; ++d) {
+      pairs.targets[d] = targets_->positions()[d].data();
+      pairs.sources.position[d] = source_tree_.positions()[d].data();
+    }
+    multipoles_.expansion().expect(LargestValues<K>(kernel, pairs).at_least());
+  }
 
   MultipoleSum<D> multipoles_;
   Index leaf_capacity_;
