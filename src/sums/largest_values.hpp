@@ -155,6 +155,7 @@ class LargestValues {
 
   /// The potential at a source is wanted without its own.
   void take_own_potential() {
+    const auto at_centre = at_distance(kernel_.shape, 0);
     for (std::size_t i = 0; i < chosen; ++i) {
       std::array<double, K::strengths> strength;
       for (std::size_t s = 0; s < strength.size(); ++s)
@@ -163,7 +164,7 @@ class LargestValues {
       std::array<Lanes, K::outputs> own;
       nowhere.fill(0);
       own.fill(0);
-      kernel_.add(nowhere, strength, own);
+      kernel_.add(nowhere, strength, at_centre, own);
       for (const FieldPart& part : parts)
         if (part.derivatives == 0)
           sums_[static_cast<std::size_t>(part.first)][i] -= own[part.first][0];

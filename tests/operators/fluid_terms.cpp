@@ -30,6 +30,7 @@ struct FluidTermsInSpace : testing::Test {
   std::unique_ptr<FluidTerms<D>> terms = fluid_terms_by<D>(kernel);
   FluidInABox<D> fluid = fluid_in_a_box<D>(kernel.support());
   std::vector<PairRole> roles = std::vector<PairRole>(fluid.lines.size());
+  std::vector<Vec<D>> carrying;
   PlainLists everybody = all_of_all(fluid.count());
 
   static FluidCoefficients<D> nothing() {
@@ -62,7 +63,7 @@ struct FluidTermsInSpace : testing::Test {
     PairOrder order;
     order.arrange(neighbours);
     c.smoothing_length = fluid.smoothing_length;
-    Rates rates{.pass = terms->add_up({fluid.lines, roles}, neighbours, order, c, sums)};
+    Rates rates{.pass = terms->add_up({fluid.lines, roles, carrying}, neighbours, order, c, sums)};
     for (std::size_t i = 0; i < lists.size(); ++i) {
       for (std::size_t d = 0; d < D; ++d) rates.acceleration.push_back(sums[i].value[d]);
       rates.density_rate.push_back(fluid.mass / fluid.lines[i].value[Line::volume] *
@@ -146,7 +147,9 @@ TYPED_TEST(FluidTermsInSpace, AreTheSumsOfOnePoint) {
     for (std::size_t d = 0; d < D; ++d)
       EXPECT_NEAR(found.value[d], all.acceleration[i * D + d], 1e-11);
     // Negative control: another point's are others.
-    if (c.pressure) EXPECT_GT(std::abs(found.value[0] - all.acceleration[(i + 1) * D]), 1e-3);
+    if (c.pressure) {
+      EXPECT_GT(std::abs(found.value[0] - all.acceleration[(i + 1) * D]), 1e-3);
+    }
   }
 }
 
@@ -186,6 +189,31 @@ TYPED_TEST(FluidTermsInSpace, CountHalfOfTheFrictionWithGhosts) {
   EXPECT_EQ(found.density_rate, plain.density_rate);
 }
 
+/// The density follows from the velocities at which mass moves, all else from those of the lines.
+TYPED_TEST(FluidTermsInSpace, LetTheMassOfGhostsMoveOtherwise) {
+  constexpr int D = TestFixture::D;
+  const auto c = this->combinations()[6];
+  const std::size_t ghost = 5;
+  const auto plain = this->rates(this->everybody, c);
+  std::ranges::fill(this->roles, PairRole::beside_ghosts);
+  this->roles[ghost] = PairRole::ghost;
+  const Vec<D> velocity = Vec<D>::LinSpaced(3, -1);
+  this->carrying.assign(this->fluid.lines.size(), Vec<D>::Constant(7));
+  this->carrying[ghost] = velocity;
+  const auto found = this->rates(this->everybody, c);
+  EXPECT_EQ(found.acceleration, plain.acceleration);
+  Vec<D>::Map(this->fluid.lines[ghost].value.data() + PairLine<D>::velocity) = velocity;
+  this->carrying.clear();
+  const auto as_moved = this->rates(this->everybody, c);
+  for (std::size_t i = 0; i < found.density_rate.size(); ++i)
+    EXPECT_NEAR(found.density_rate[i], as_moved.density_rate[i],
+                1e-13 * std::abs(as_moved.density_rate[ghost]));
+  // Negative controls: the ghost's velocity matters, to the density and to the forces.
+  EXPECT_GT(std::abs(as_moved.density_rate[ghost] - plain.density_rate[ghost]),
+            1e-3 * std::abs(as_moved.density_rate[ghost]));
+  EXPECT_NE(as_moved.acceleration, plain.acceleration);
+}
+
 /// What one end of a pair gains the other loses, so nothing is left of all forces together.
 TYPED_TEST(FluidTermsInSpace, KeepMomentum) {
   constexpr int D = TestFixture::D;
@@ -196,7 +224,9 @@ TYPED_TEST(FluidTermsInSpace, KeepMomentum) {
       total[k % D] += found.acceleration[k];
     for (const PlainSum& sum : total) EXPECT_LE(std::abs(sum.value), 1e-15 * sum.magnitude);
     // Negative control: without the first particle the forces on it are missing.
-    if (c.pressure) EXPECT_GT(std::abs(found.acceleration[0]), 1e-9 * total[0].magnitude);
+    if (c.pressure) {
+      EXPECT_GT(std::abs(found.acceleration[0]), 1e-9 * total[0].magnitude);
+    }
   }
 }
 

@@ -88,7 +88,7 @@ TEST(LargestValues, LeaveOutThePotentialOfABlobItself) {
   using Shape = BlobShape<3, GaussCore>;
   const double size = 1e-6;
   const GravityKernel<Shape, GravityPart::both> kernel{Shape::of_size(size)};
-  const double own = kernel.shape.potential(Lanes(0))[0];
+  const double own = at_distance(kernel.shape, 0).potential()[0];
   const Masses masses(clouds<3>(some_points).front().positions);
   const FarErrors found = masses.at_least(kernel);
   EXPECT_LE(found[0], masses.largest(kernel, own)[0] * (1 + 1e-9));
