@@ -21,17 +21,23 @@ struct GravityKernel {
   [[gnu::always_inline]] void add(const std::array<Lanes, dimension>& difference,
                                   const std::array<double, 1>& mass, const typename Shape::At& at,
                                   std::array<Lanes, outputs>& sums) const {
-    if constexpr (has_potential) {
-      constexpr double sign = dimension == 2 ? 1 : -1;
+    constexpr double sign = dimension == 2 ? 1 : -1;
+    if constexpr (Part == GravityPart::potential) {
       sums[0] = fused(sign * mass[0], at.potential(), sums[0]);
+    } else if constexpr (Part == GravityPart::gradient) {
+      pull(mass[0] * at.influence(), difference, &sums[0]);
+    } else {
+      const auto [potential, influence] = at.both(mass[0]);
+      sums[0] += sign * potential;
+      pull(influence, difference, &sums[1]);
     }
-    if constexpr (has_gradient) {
-      const Lanes factor = mass[0] * at.influence();
-      for (int d = 0; d < dimension; ++d) {
-        Lanes& sum = sums[d + (has_potential ? 1 : 0)];
-        sum = fused(factor, difference[d], sum);
-      }
-    }
+  }
+
+ private:
+  [[gnu::always_inline]] static void pull(const Lanes& influence,
+                                          const std::array<Lanes, dimension>& difference,
+                                          Lanes* gradient) {
+    for (int d = 0; d < dimension; ++d) gradient[d] = fused(influence, difference[d], gradient[d]);
   }
 };
 

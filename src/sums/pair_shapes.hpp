@@ -18,6 +18,11 @@ namespace mote {
 ///   ahead(r^2 of two sources)            which the pair loop keeps until
 ///   at(ahead, which of the two, r^2)     gives the functions above.
 
+/// Potential and influence of one strength: together they may cost less than each alone.
+struct BothFunctions {
+  Lanes potential, influence;
+};
+
 /// A point, q = 1. On its own place it does nothing.
 template <int D>
 struct PointShape;
@@ -43,6 +48,9 @@ struct PointShape<2> {
       Lanes result = 0.5 * logarithm(r_squared);
       where(r_squared == 0, result) = 0;
       return result;
+    }
+    [[gnu::always_inline]] BothFunctions both(double strength) const {
+      return {strength * potential(), strength * influence()};
     }
   };
 
@@ -71,6 +79,10 @@ struct PointShape<3> {
       return -3 * root.cube() * root.square();
     }
     [[gnu::always_inline]] Lanes potential() const { return root.value(); }
+    [[gnu::always_inline]] BothFunctions both(double strength) const {
+      const Lanes inverse = root.value(), potential = strength * inverse;
+      return {potential, potential * (inverse * inverse)};
+    }
   };
 
   [[gnu::always_inline]] static Ahead ahead(const std::array<Lanes, 2>& r_squared) {
@@ -112,6 +124,9 @@ class BlobShape {
       const Lanes unit = Core::template potential<D>(rho_squared);
       if constexpr (D == 2) return blob.potential_scale_ + unit;
       if constexpr (D == 3) return blob.potential_scale_ * unit;
+    }
+    [[gnu::always_inline]] BothFunctions both(double strength) const {
+      return {strength * potential(), strength * influence()};
     }
   };
 

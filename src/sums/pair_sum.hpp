@@ -9,7 +9,7 @@ namespace mote {
 
 /// Points of a leaf of a tree: fewer make more far pairs, more make more pairs of points.
 template <int D>
-inline constexpr Index leaf_capacity = D == 2 ? 64 : 40;
+inline constexpr Index leaf_capacity = D == 2 ? 64 : 48;
 
 /// Sums of pair kernels over all pairs by the method of the settings, direct or multipole.
 template <int D>
