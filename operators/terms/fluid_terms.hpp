@@ -90,7 +90,7 @@ struct FluidSpread {
 /// Every pair of receivers is met once, and what it adds to one end it takes from the other to the
 /// last bit: the force V_i V_j F [...], since all particles have the same mass m, and the
 /// diffusion's part of D ln rho/Dt, since V_j (rho_j - rho_i) = rho_i (V_i - V_j). So momentum is
-/// kept.
+/// kept. Where one end is a ghost, u of the first sum is that of the mass; see PairPoints.
 template <int D>
 class FluidTerms : public AnyFluidTerms {
  public:

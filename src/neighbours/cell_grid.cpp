@@ -169,7 +169,7 @@ void CellGrid<D>::find(std::span<const double> position, Index receivers, double
       for (Index k = block * block_size; k < std::min(receivers, (block + 1) * block_size); ++k) {
         Index* const list = writer.room(scan.look_around(k) + scan_lanes);
         const Index i = sorted ? k : order_[k];
-        if (!sorted) writer.fetch_ahead(order_[k + scan_lanes]);
+        if (!sorted && k + scan_lanes < receivers) writer.fetch_ahead(order_[k + scan_lanes]);
         const bool rests = !idle.empty() && idle[i];
         const bool later = form == ListForm::later && !rests;
         Index* end = scan.find(list, later && ascends);

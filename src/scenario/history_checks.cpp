@@ -20,9 +20,10 @@ void describe_one(Description& d, HistoryCheck& check) {
   d.flag({"throughout", "whether 'most' and 'least' are meant for all rows, not for one time"},
          check.throughout);
   d.expression({"formula", "in t, that all rows must follow"}, check.formula);
-  d.number({"from", "time from which rows must; default: the first row"}, check.from, not_negative);
-  d.number({"until", "time until which rows must; default: the last row"}, check.until,
-           not_negative);
+  d.number({"from", "time from which rows, or points of a curve, must; default: the first row"},
+           check.from, not_negative);
+  d.number({"until", "time until which rows, or points of a curve, must; default: the last row"},
+           check.until, not_negative);
   d.number({"decay_rate", "r of exp(-r t), by which it must fall from the first row to the last"},
            check.decay_rate);
   d.text({"file", "CSV file beside this one with a curve that it must follow"}, check.file);
