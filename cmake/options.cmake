@@ -16,7 +16,7 @@ add_compile_options(-Wall -Wextra -Wno-missing-field-initializers -ffp-contract=
 if(NOT MOTE_PORTABLE)
   add_compile_options(-march=native)
 elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-  # Fused multiply-adds must be instructions: pair loops that call a function for each are 50 times slower.
+  # Fused multiply-adds must be instructions: a pair loop that calls a function for each is many times slower.
   add_compile_options(-march=x86-64-v3)
 endif()
 if(MOTE_SANITIZE)

@@ -19,10 +19,10 @@ inline constexpr double largest_ratio = 0.6;
 /// How much of a source there is in each degree of its multipole expansion: what bounds the errors
 /// of its translations. In a row of `count(degree)` numbers, with points at x_j from the centre of
 /// a ball of radius a, in units of the strengths:
-///   M = sum_j |m_j|,
-///   s, the reach of the degrees above the highest, k = degree + 1:  M (s a)^k = sum_j |m_j|
-///   |x_j|^k, P_0, and the largest of P_1 ... P_degree, sum_(n>p) P_n w^(n-p-1)
-///   (n+1)(n+2)/((p+2)(p+3)), w the largest ratio, p = 0 ... degree,
+///   M = sum_j |m_j|;
+///   s, the reach of degrees above the highest, k = degree + 1: M (s a)^k = sum_j |m_j| |x_j|^k;
+///   P_0; the largest of P_1 ... P_degree;
+///   sum_(n>p) P_n w^(n-p-1) (n+1)(n+2)/((p+2)(p+3)), w the largest ratio, p = 0 ... degree;
 /// where P_n = (sum_m |M_n^m|^2)^(1/2) is the power of a degree, the same in all axes (Dehnen 2014,
 /// Computational Astrophysics and Cosmology 1:1). P_n <= sum_j |m_j| |x_j|^n/a^n.
 class SourcePowers {

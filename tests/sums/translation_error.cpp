@@ -28,6 +28,19 @@ std::array<long double, 3> exact_at(const HarmonicCloud& cloud, std::array<doubl
   return sums;
 }
 
+/// What the points of a cloud hold in each degree of their expansion about a ball.
+std::vector<double> powers_of(const HarmonicCloud& cloud, const HarmonicExpansion& expansion,
+                              const NodeBall& ball, const std::vector<double>& multipole) {
+  std::vector<double> powers(SourcePowers::count(expansion.degree()));
+  const double* column = cloud.strength[0].data();
+  SourcePowers(expansion, powers.data())
+      .take_points({{cloud.position[0].data(), cloud.position[1].data(), cloud.position[2].data()},
+                    {&column, 1},
+                    cloud.size()},
+                   ball, multipole.data());
+  return powers;
+}
+
 /// A source about the origin, its expansion, and a target ball at distance 1 along z.
 struct Pair {
   HarmonicCloud cloud;
@@ -39,14 +52,7 @@ struct Pair {
       : cloud(std::move(points)), balls{source, target, 1} {
     const NodeBall ball{{0, 0, 0}, source};
     multipole = cloud.multipole(expansion, ball);
-    powers.resize(SourcePowers::count(highest));
-    const double* column = cloud.strength[0].data();
-    SourcePowers(expansion, powers.data())
-        .take_points(
-            {{cloud.position[0].data(), cloud.position[1].data(), cloud.position[2].data()},
-             {&column, 1},
-             cloud.size()},
-            ball, multipole.data());
+    powers = powers_of(cloud, expansion, ball, multipole);
   }
 
   FarErrors bounds(int degree) const {
@@ -158,13 +164,7 @@ TEST(TranslationError, WhatNoDegreeHoldsIsBoundedByTheReach) {
   const HarmonicCloud cloud = octupole(0.2);
   const NodeBall ball{{0, 0, 0}, 0.2 * std::sqrt(3.0)};
   const auto multipole = cloud.multipole(low, ball);
-  std::vector<double> powers(SourcePowers::count(2));
-  const double* column = cloud.strength[0].data();
-  SourcePowers(low, powers.data())
-      .take_points({{cloud.position[0].data(), cloud.position[1].data(), cloud.position[2].data()},
-                    {&column, 1},
-                    cloud.size()},
-                   ball, multipole.data());
+  std::vector<double> powers = powers_of(cloud, low, ball, multipole);
   const std::array<double, 3> place{0.3, 0.25, 0.8};
   const double error = std::abs(static_cast<double>(exact_at(cloud, place)[0]));
   const PairOfBalls pair{ball.radius, 0.25, std::hypot(place[0], place[1], place[2])};
@@ -190,16 +190,11 @@ TEST(TranslationError, PowersOfChildrenBoundThoseOfTheirPoints) {
   HarmonicCloud cloud = points_in({{0.1, 0, 0.1}, 0.1}, 30, 5);
   const NodeBall parent{{0, 0, 0}, 0.3};
   Pair whole(cloud, parent.radius, 0.3);
-  std::vector<double> child(SourcePowers::count(highest)), moved(child);
   const NodeBall ball{{0.1, 0, 0.1}, 0.1};
   HarmonicExpansion expansion(highest, 1);
   const auto multipole = cloud.multipole(expansion, ball);
-  const double* column = cloud.strength[0].data();
-  SourcePowers(expansion, child.data())
-      .take_points({{cloud.position[0].data(), cloud.position[1].data(), cloud.position[2].data()},
-                    {&column, 1},
-                    cloud.size()},
-                   ball, multipole.data());
+  const auto child = powers_of(cloud, expansion, ball, multipole);
+  std::vector<double> moved(child.size());
   const SourcePowers::Child of_child{child.data(), ball.radius, std::hypot(0.1, 0.1)};
   SourcePowers(expansion, moved.data())
       .take_children({&of_child, 1}, parent.radius, whole.multipole.data());
