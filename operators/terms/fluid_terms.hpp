@@ -72,6 +72,12 @@ struct Surface {
   Vec<D> velocity = Vec<D>::Zero();
 };
 
+/// How much more pairs that come closer than a spacing count in the crowding of particles: by
+/// 1 + weight (W_ij/W(spacing))^4 (Monaghan 2000; Sun et al. 2017, (10), with 0.2).
+struct ClosePairs {
+  double spacing = 1, weight = 0.2;
+};
+
 /// How regularly a particle's neighbours lie around it, and how the fluid varies there.
 template <int D>
 struct FluidSpread {
@@ -123,11 +129,10 @@ class FluidTerms : public AnyFluidTerms {
                                   std::span<const Index> neighbours, double smoothing_length,
                                   std::span<const Vec<D>> slopes) const = 0;
 
-  /// How the neighbours of receiver i lie. Pairs that come closer than a spacing count more in the
-  /// crowding, by 1 + 0.2 (W_ij/W(spacing))^4 (Monaghan 2000, as in Sun et al. 2017, (10)).
+  /// How the neighbours of receiver i lie.
   virtual FluidSpread<D> spread(std::span<const PairLine<D>> lines, Index i,
                                 std::span<const Index> neighbours, double smoothing_length,
-                                double mass, double spacing) const = 0;
+                                double mass, const ClosePairs& close_pairs) const = 0;
 };
 
 }  // namespace mote

@@ -133,11 +133,11 @@ class FluidTermsOn final : public FluidTerms<D> {
 
   [[gnu::flatten]] FluidSpread<D> spread(Lines lines, Index i, std::span<const Index> neighbours,
                                          double smoothing_length, double mass,
-                                         double spacing) const override {
+                                         const ClosePairs& close_pairs) const override {
     const double inverse = 1 / smoothing_length;
     const Line& receiver = lines[static_cast<std::size_t>(i)];
     const double density = mass / receiver.value[Line::volume];
-    const double at_spacing = 1 / kernel_.value(spacing * inverse);
+    const double at_spacing = 1 / kernel_.value(close_pairs.spacing * inverse);
     Lanes moment[D][D], crowding[D], velocity[D][D], densities[D];
     for (int d = 0; d < D; ++d) {
       crowding[d] = densities[d] = 0;
@@ -148,7 +148,7 @@ class FluidTermsOn final : public FluidTerms<D> {
       const Lanes f = slope_over_q_of(kernel_, pair.q);
       const Lanes vf = f * lanes[Line::volume];
       const Lanes ratio = value_of(kernel_, pair.q) * at_spacing, square = ratio * ratio;
-      const Lanes crowd = vf * (1 + 0.2 * square * square);
+      const Lanes crowd = vf * (1 + close_pairs.weight * square * square);
       const Lanes drop = f * (mass - density * lanes[Line::volume]);
       for (int d = 0; d < D; ++d) {
         crowding[d] += crowd * pair.x[d];

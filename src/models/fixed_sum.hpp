@@ -8,12 +8,12 @@
 namespace mote {
 
 /// Sum of what `of(i)` gives for i below `count`, in fixed blocks, so that it does not depend on
-/// the threads.
+/// the threads. `sums` is room for those of the blocks.
 template <class Value, class Of>
-Value fixed_sum(Index count, const Value& zero, Of of) {
+Value fixed_sum(Index count, const Value& zero, Of of, std::vector<Value>& sums) {
   constexpr Index block_size = 1024;
   const Index blocks = (count + block_size - 1) / block_size;
-  std::vector<Value> sums(static_cast<std::size_t>(blocks), zero);
+  sums.assign(static_cast<std::size_t>(blocks), zero);
 #pragma omp parallel for schedule(static) if (parallel_from <= count)
   for (Index block = 0; block < blocks; ++block) {
     Value sum = zero;
@@ -24,6 +24,12 @@ Value fixed_sum(Index count, const Value& zero, Of of) {
   Value total = zero;
   for (const Value& sum : sums) total += sum;
   return total;
+}
+
+template <class Value, class Of>
+Value fixed_sum(Index count, const Value& zero, Of of) {
+  std::vector<Value> sums;
+  return fixed_sum(count, zero, of, sums);
 }
 
 }  // namespace mote

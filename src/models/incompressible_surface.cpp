@@ -219,7 +219,7 @@ void Incompressible<D>::shift_particles(double time, double step) {
     const auto k = static_cast<std::size_t>(i);
     gains[k].setZero();
     const FluidSpread<D> spread = terms_->spread(particles_.lines(), i, particles_.lists()[i],
-                                                 smoothing_length_, mass_, spacing());
+                                                 smoothing_length_, mass_, {spacing()});
     constexpr double near_surface = 0.75;
     const Eigen::SelfAdjointEigenSolver<Mat<D>> eigen(spread.moment, Eigen::EigenvaluesOnly);
     if (options_.free_surface && eigen.eigenvalues()[0] < near_surface) continue;

@@ -7,6 +7,7 @@
 
 #include "mote/models/body_force.hpp"
 #include "mote/models/equation_of_state.hpp"
+#include "mote/models/fixed_sum.hpp"
 #include "mote/models/fluid_neighbours.hpp"
 #include "mote/models/removed_fluid.hpp"
 #include "mote/models/wall_motion.hpp"
@@ -118,6 +119,11 @@ class WeaklyCompressible final : public Model {
   void continue_slopes_into_walls();
   void move_walls(double time);
   void shift_particles(double time, double step);
+  double change_by_shift(const FluidSpread<D>& spread, double density, const Vec<D>& shift) const;
+  bool keeps_volume() const;
+  bool walls_travel() const;
+  double volume();
+  void keep_volume();
   const Vec<D>& gravity() const { return body_force_.gravity(); }
 
   struct Energy {
@@ -125,8 +131,12 @@ class WeaklyCompressible final : public Model {
     double total() const { return kinetic + potential + compression; }
   };
   Energy energy() const;
+  /// The mass times the sum of term(i) over the fluid's particles.
   template <class Term>
-  double sum_over_fluid(Term term) const;
+  double sum_over_fluid(Term term) const {
+    return mass_ *
+           fixed_sum(cloud_.count(), 0.0, [&](Index i) { return is_wall(i) ? 0.0 : term(i); });
+  }
 
   const WallMotion& motion_of(Index i) const {
     return motions_[static_cast<std::size_t>(body_[i])];
@@ -169,6 +179,8 @@ class WeaklyCompressible final : public Model {
   Index fluids_ = 0;             ///< fluid particles at the start
   double highest_speed_ = 0, highest_acceleration_ = 0, furthest_shift_ = 0;
   double dissipation_ = 0;
+  double volume_ = 0;            ///< of the fluid at the step's start; 0 before the first
+  std::vector<double> volumes_;  ///< of blocks of particles; work for `volume`
   PairWork work_;
   RemovedFluid<D> removed_;
 
@@ -176,6 +188,7 @@ class WeaklyCompressible final : public Model {
   struct Course {
     double fastest = 0, fastest_at = 0;
     double dissipated = 0;
+    double swelling = 0;  ///< of the fluid by numerical error, relative; put right
     std::int64_t rebuilds = 0, steps = 0;
   } course_;
 };

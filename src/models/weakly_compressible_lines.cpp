@@ -113,13 +113,17 @@ void WeaklyCompressible<D>::extrapolate_to(Index i) {
   line.value[Line::volume] = mass_ / state_.density_at(ghost.pressure);
 }
 
+template <int D>
+bool WeaklyCompressible<D>::walls_travel() const {
+  return std::ranges::any_of(start_.bodies,
+                             [](const Body& body) { return body.velocity && body.travels; });
+}
+
 /// Gives walls that travel the velocity they are to have now.
 template <int D>
 void WeaklyCompressible<D>::move_walls(double time) {
   observe_walls(time);
-  const bool any = std::ranges::any_of(
-      start_.bodies, [](const Body& body) { return body.velocity && body.travels; });
-  if (!any) return;
+  if (!walls_travel()) return;
   for (Index i = 0; i < cloud_.count(); ++i)
     if (is_wall(i) && body_of(i).travels)
       std::copy_n(motion_of(i).velocity.begin(), D, velocity_.begin() + std::ptrdiff_t{i} * D);

@@ -66,7 +66,10 @@ void WeaklyCompressibleOptions::describe(Description& d) {
   d.section({"density_diffusion", "against noise in the pressure"},
             [&] { describe_diffusion(d, *this); });
   d.number({"shifting", "strength of particle shifting; 0: none"}, shifting, not_negative);
-  d.flag({"free_surface", "whether there may be one, which shifting then spares"}, free_surface);
+  d.flag({"free_surface",
+          "whether there may be one, which shifting then spares; where there is none "
+          "it keeps the fluid's volume"},
+         free_surface);
   body_force.describe(d);
   describe_words(d, {"walls", "what wall particles are"}, walls, wall_forms);
 }

@@ -8,14 +8,6 @@
 
 namespace mote {
 
-/// Sum over the fluid's particles of their mass times `term(i)`.
-template <int D>
-template <class Term>
-double WeaklyCompressible<D>::sum_over_fluid(Term term) const {
-  return mass_ *
-         fixed_sum(cloud_.count(), 0.0, [&](Index i) { return is_wall(i) ? 0.0 : term(i); });
-}
-
 template <int D>
 typename WeaklyCompressible<D>::Energy WeaklyCompressible<D>::energy() const {
   const auto vector = [](std::span<const double> values, Index i) {
@@ -82,13 +74,20 @@ std::vector<std::string> WeaklyCompressible<D>::warnings() const {
 template <int D>
 std::vector<std::string> WeaklyCompressible<D>::remarks() const {
   const Energy now = energy();
-  return {fmt::format("{} fluid and {} wall particles, smoothing length {:.4g} ({:.3g} spacings), "
-                      "neighbours found anew {} times in {} steps.",
-                      std::ranges::count(idle_, 0), std::ranges::count(idle_, 1), smoothing_length_,
-                      smoothing_length_ / start_.spacing, course_.rebuilds, course_.steps),
-          fmt::format("Energy at the end: kinetic {:.6g}, potential {:.6g}, of compression {:.6g}; "
-                      "viscosity took {:.6g}.",
-                      now.kinetic, now.potential, now.compression, course_.dissipated)};
+  std::vector<std::string> remarks{
+      fmt::format("{} fluid and {} wall particles, smoothing length {:.4g} ({:.3g} spacings), "
+                  "neighbours found anew {} times in {} steps.",
+                  std::ranges::count(idle_, 0), std::ranges::count(idle_, 1), smoothing_length_,
+                  smoothing_length_ / start_.spacing, course_.rebuilds, course_.steps),
+      fmt::format("Energy at the end: kinetic {:.6g}, potential {:.6g}, of compression {:.6g}; "
+                  "viscosity took {:.6g}.",
+                  now.kinetic, now.potential, now.compression, course_.dissipated)};
+  if (keeps_volume())
+    remarks.push_back(fmt::format(
+        "The fluid's volume was kept: sums over pairs would have changed it by {:.2g} of "
+        "itself.",
+        course_.swelling));
+  return remarks;
 }
 
 template <int D>

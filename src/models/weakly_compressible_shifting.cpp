@@ -22,8 +22,8 @@ double smallest_eigenvalue(const Mat<D>& moment) {
 
 template <int D>
 FluidSpread<D> WeaklyCompressible<D>::spread_of(Index i) const {
-  return terms_->spread(lines_, i, neighbours_.lists()[i], smoothing_length_, mass_,
-                        start_.spacing);
+  const ClosePairs close_pairs{start_.spacing, options_.free_surface ? ClosePairs().weight : 0};
+  return terms_->spread(lines_, i, neighbours_.lists()[i], smoothing_length_, mass_, close_pairs);
 }
 
 /// Brings the lines up to date with the state.
@@ -39,6 +39,21 @@ void WeaklyCompressible<D>::refresh_lines(double time) {
   if (options_.walls == WallForm::extrapolated) write_wall_lines();
 }
 
+/// The change of a particle's density by a shift, beside that along the density's gradient. Density
+/// that is carried in pairs grows as particles crowd, and a shift, which undoes that, has to take
+/// it back; else it grows for ever where a fluid is stirred. Sun et al. (2019) add to D rho/Dt, for
+/// the velocity w of the shift,
+///   -rho_i sum V_j (w_j - w_i).grad W + sum V_j (rho_i w_i + rho_j w_j).grad W,
+/// which is  2 rho_i w_i.(sum V_j grad W) + sum V_j (rho_j - rho_i) w_j.grad W, the first of them
+/// this one. With a free surface it is left out as theirs is: there sum V_j grad W is not 0 however
+/// particles lie.
+template <int D>
+double WeaklyCompressible<D>::change_by_shift(const FluidSpread<D>& spread, double density,
+                                              const Vec<D>& shift) const {
+  if (options_.free_surface || !coefficients_.continuity) return 0;
+  return 2 * density * shift.dot(spread.crowding);
+}
+
 /// Moves the fluid a little from where its particles crowd to where they are few, which keeps sums
 /// over neighbours good (Sun et al. 2017, (10)):
 ///   delta x_i = -4 h U dt sum V_j (1 + 0.2 (W_ij/W(dx))^4) grad W,
@@ -47,6 +62,9 @@ void WeaklyCompressible<D>::refresh_lines(double time) {
 /// that it is kept. Particles near a free surface stay where they are, and the next ones move along
 /// it alone: across it they would crowd into the outermost layer, where neighbours are always few.
 /// Its normal is the direction in which neighbours are fewest, the first eigenvector of the moment.
+/// The term of close pairs keeps particles from clumping under tension. Without a free surface it
+/// is left out: a uniform pressure pulls particles to where sum V_j grad W is 0, and a shift that
+/// comes to rest elsewhere works against it for ever, which brakes the flow.
 template <int D>
 void WeaklyCompressible<D>::shift_particles(double time, double step) {
   refresh_lines(time);
@@ -78,7 +96,8 @@ void WeaklyCompressible<D>::shift_particles(double time, double step) {
     gains_[static_cast<std::size_t>(i)] = spread.velocity * inverse * shift;
     moves_[static_cast<std::size_t>(i)] = 1;
     if (options_.density_form == FluidDensity::continuity)
-      density_[i] += spread.density.dot(inverse * shift);
+      density_[i] +=
+          spread.density.dot(inverse * shift) + change_by_shift(spread, density_[i], shift);
   }
   furthest_shift_ = furthest;
   Vec<D> mean = Vec<D>::Zero();

@@ -1,5 +1,5 @@
-// What a weakly compressible flow does away from walls: sound, sums, shifting, the free surface,
-// and derivatives by an operator.
+// What a weakly compressible flow does away from walls: sound, sums, the free surface, and
+// derivatives by an operator.
 
 #include <gtest/gtest.h>
 
@@ -9,13 +9,6 @@
 
 namespace mote::test {
 namespace {
-
-FlowCase periodic_square(double spacing, double width) {
-  FlowCase flow = flow_in_a_box(2, spacing, {width, width}, {true, true, false});
-  flow.options.free_surface = false;
-  flow.options.diffusion = DensityDiffusion::none;
-  return flow;
-}
 
 /// A pulse that travels along x: p = rho c u in the direction of travel.
 FlowCase pulse(double sound_speed) {
@@ -72,100 +65,6 @@ TEST(SummationDensity, IsTheSumOverTheLattice) {
   for (const double density : made->cloud().values("density")) EXPECT_NEAR(density, 3 * sum, 1e-13);
   EXPECT_NEAR(sum, 1, 0.01);
   EXPECT_GT(std::abs(sum - 1), 1e-6);  // negative control: not the density at rest
-}
-
-/// Root mean square distance of the particles to their nearest neighbours' mean, in spacings, and
-/// the smallest distance of two.
-std::pair<double, double> distances(const WeaklyCompressible<2>& flow, double spacing,
-                                    double width) {
-  std::vector<double> nearest;
-  const Index count = flow.cloud().count();
-  for (Index i = 0; i < count; ++i) {
-    double least = width;
-    for (Index j = 0; j < count; ++j) {
-      Vec<2> x = vector_of(flow, "position", i) - vector_of(flow, "position", j);
-      for (int d = 0; d < 2; ++d) x[d] -= width * std::round(x[d] / width);
-      if (j != i) least = std::min(least, x.norm());
-    }
-    nearest.push_back(least / spacing);
-  }
-  const double mean =
-      std::accumulate(nearest.begin(), nearest.end(), 0.0) / static_cast<double>(count);
-  double spread = 0;
-  for (const double distance : nearest) spread += std::pow(distance - mean, 2);
-  return {std::sqrt(spread / static_cast<double>(count)), std::ranges::min(nearest)};
-}
-
-/// A jittered box that streams through its periodic sides.
-std::pair<double, double> distances_after_streaming(double shifting) {
-  FlowCase flow = periodic_square(0.1, 1.2);
-  flow.options.shifting = shifting;
-  flow.velocity = [](const Place&) { return Triple{1}; };
-  const auto made = make_flow<2>(in_disorder(flow, 0.25));
-  run(*made, 0.2, 100);
-  return distances(*made, 0.1, 1.2);
-}
-
-TEST(Shifting, MakesParticlesMoreRegular) {
-  const auto [spread, closest] = distances_after_streaming(0);  // the negative control
-  const auto [shifted_spread, shifted_closest] = distances_after_streaming(1);
-  EXPECT_LT(shifted_spread, 0.5 * spread);
-  EXPECT_GT(shifted_closest, closest + 0.1);
-}
-
-Mat<2> slopes() { return (Mat<2>() << 0.3, -0.8, 0.5, -0.3).finished(); }
-
-/// Particles in disorder in a field u = A x + bend (x^2 + y^2), of linear density, moved by
-/// shifting alone: the largest error of the velocity they carry.
-std::array<double, 3> error_after_shifting(double bend, double step) {
-  FlowCase flow = flow_in_a_box(2, 0.1, {1, 1});
-  flow.options.shifting = 1;
-  flow.options.free_surface = false;
-  const auto velocity = [=](const Vec<2>& x) -> Vec<2> {
-    return slopes() * x + bend * x.squaredNorm() * Vec<2>::Ones();
-  };
-  flow.velocity = [=](const Place& at) {
-    const Vec<2> u = velocity({at[0], at[1]});
-    return Triple{u[0], u[1]};
-  };
-  flow.pressure = [](const Place& at) { return 20 * at[0] - 10 * at[1]; };
-  const auto made = make_flow<2>(in_disorder(flow, 0.25));
-  made->longest_step(0, 0.2);
-  const auto before = made->cloud();
-  made->end_step(0, step);
-  const Index count = made->cloud().count();
-  const auto error = [&](Index i) -> Vec<2> {
-    return vector_of(*made, "velocity", i) - velocity(vector_of(*made, "position", i));
-  };
-  // What all gain alike is taken back, so that momentum stays.
-  Vec<2> common = Vec<2>::Zero();
-  for (Index i = 0; i < count; ++i) common += error(i) / count;
-  std::array<double, 3> found{};
-  for (Index i = 0; i < count; ++i) {
-    const Vec<2> x = vector_of(*made, "position", i);
-    const double off = (error(i) - common).norm();
-    const double density = 1 + (20 * x[0] - 10 * x[1]) / 100;
-    const Vec<2> moved = x - Vec<2>::Map(before.position().data() + std::ptrdiff_t{i} * 2);
-    found[0] = std::max(found[0], off);
-    found[1] = std::max(found[1], std::abs(made->cloud().values("density")[i] - density));
-    found[2] = std::max(found[2], moved.norm());
-  }
-  return found;
-}
-
-TEST(Shifting, LeavesLinearFieldsAsTheyAre) {
-  const auto [velocity, density, moved] = error_after_shifting(0, 0.003);
-  EXPECT_GT(moved, 1e-3);
-  EXPECT_LT(velocity, 1e-13);
-  EXPECT_LT(density, 1e-13);
-}
-
-/// The error of a field that bends goes with the way times the spacing at least: it is of first
-/// order in the shift, and not 0 (a negative control of the test above).
-TEST(Shifting, CarriesFieldsThatBendAsFarAsTheirSlopes) {
-  const auto coarse = error_after_shifting(1, 2e-4), fine = error_after_shifting(1, 1e-4);
-  EXPECT_GT(fine[0], 1e-8);
-  EXPECT_NEAR(std::log2(coarse[0] / fine[0]), 1, 0.2);
 }
 
 TEST(FreeSurface, IsFlaggedInATankAndNothingInsideIs) {

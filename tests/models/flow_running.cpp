@@ -34,6 +34,12 @@ void make_periodic(FlowCase& flow) {
   flow.plan.periodic[0] = true;
 }
 
+/// With walls that drag alone, so that shifting keeps the volume.
+void lose_free_surface(FlowCase& flow) {
+  flow.options.free_surface = false;
+  for (SideWall& wall : flow.plan.walls) wall.body.travels = false;
+}
+
 /// With nothing that needs all neighbours of a particle.
 void use_pairs_alone(FlowCase& flow) {
   flow.options.diffusion = DensityDiffusion::fourtakas;
@@ -60,6 +66,7 @@ const std::vector<Way> ways{
      }},
     {"kd_tree", [](FlowCase& flow) { flow.search = "kd_tree"; }},
     {"periodic", make_periodic},
+    {"no_free_surface", lose_free_surface},
     {"pairs_alone", use_pairs_alone},
     {"pairs_alone_periodic", [](FlowCase& flow) {
        make_periodic(flow);

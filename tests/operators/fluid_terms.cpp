@@ -321,12 +321,13 @@ TYPED_TEST(FluidTermsInSpace, TellHowNeighboursSpread) {
   const double h = fluid.smoothing_length, spacing = 0.4 * this->kernel.support() * h;
   const double at_spacing = this->kernel.value(spacing / h);
   for (const auto& list : lists_of_first(this->everybody)) {
-    PlainSum moment[D][D], crowding[D], velocity[D][D], density[D];
+    PlainSum moment[D][D], crowding[D], plain[D], velocity[D][D], density[D];
     for (const Index j : list) {
       const PlainPair<D> pair(fluid, this->kernel, 0, static_cast<std::size_t>(j));
       const double vf = pair.volume * pair.f;
       const double ratio = pair.w * std::pow(h, D) / at_spacing;
       for (int d = 0; d < D; ++d) {
+        plain[d] += vf * pair.x[d];
         crowding[d] += vf * (1 + 0.2 * std::pow(ratio, 4)) * pair.x[d];
         density[d] += vf * pair.density_j * pair.x[d];
         density[d] += -vf * pair.density_i * pair.x[d];
@@ -336,8 +337,12 @@ TYPED_TEST(FluidTermsInSpace, TellHowNeighboursSpread) {
         }
       }
     }
-    const FluidSpread<D> spread = this->terms->spread(fluid.lines, 0, list, h, fluid.mass, spacing);
+    const FluidSpread<D> spread =
+        this->terms->spread(fluid.lines, 0, list, h, fluid.mass, {spacing});
+    const FluidSpread<D> without =
+        this->terms->spread(fluid.lines, 0, list, h, fluid.mass, {spacing, 0});
     for (int d = 0; d < D; ++d) {
+      expect_sum(without.crowding[d], plain[d]);
       expect_sum(spread.crowding[d], crowding[d]);
       expect_sum(spread.density[d], density[d]);
       for (int e = 0; e < D; ++e) {

@@ -20,6 +20,14 @@ inline FlowCase flow_in_a_box(int dimension, double spacing, const Triple& upper
   return fluid_in_a_box<FlowCase>(dimension, spacing, upper, periodic);
 }
 
+/// Without a free surface and density diffusion.
+inline FlowCase periodic_square(double spacing, double width) {
+  FlowCase flow = flow_in_a_box(2, spacing, {width, width}, {true, true, false});
+  flow.options.free_surface = false;
+  flow.options.diffusion = DensityDiffusion::none;
+  return flow;
+}
+
 template <int D>
 std::unique_ptr<WeaklyCompressible<D>> make_flow(const FlowCase& flow) {
   SpaceSetup setup = setup_of<D>(flow);
