@@ -26,6 +26,7 @@ Value fixed_sum(Index count, const Value& zero, Of of, std::vector<Value>& sums)
   return total;
 }
 
+/// The same with room of its own.
 template <class Value, class Of>
 Value fixed_sum(Index count, const Value& zero, Of of) {
   std::vector<Value> sums;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mote/models/fixed_sum.hpp"
 #include "mote/particles/failure.hpp"
 
 namespace mote {

@@ -7,7 +7,6 @@
 
 #include "mote/models/body_force.hpp"
 #include "mote/models/equation_of_state.hpp"
-#include "mote/models/fixed_sum.hpp"
 #include "mote/models/fluid_neighbours.hpp"
 #include "mote/models/removed_fluid.hpp"
 #include "mote/models/wall_motion.hpp"
@@ -131,12 +130,8 @@ class WeaklyCompressible final : public Model {
     double total() const { return kinetic + potential + compression; }
   };
   Energy energy() const;
-  /// The mass times the sum of term(i) over the fluid's particles.
   template <class Term>
-  double sum_over_fluid(Term term) const {
-    return mass_ *
-           fixed_sum(cloud_.count(), 0.0, [&](Index i) { return is_wall(i) ? 0.0 : term(i); });
-  }
+  double sum_over_fluid(Term term) const;
 
   const WallMotion& motion_of(Index i) const {
     return motions_[static_cast<std::size_t>(body_[i])];

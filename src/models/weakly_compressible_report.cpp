@@ -8,6 +8,14 @@
 
 namespace mote {
 
+/// Sum over the fluid's particles of their mass times `term(i)`.
+template <int D>
+template <class Term>
+double WeaklyCompressible<D>::sum_over_fluid(Term term) const {
+  return mass_ *
+         fixed_sum(cloud_.count(), 0.0, [&](Index i) { return is_wall(i) ? 0.0 : term(i); });
+}
+
 template <int D>
 typename WeaklyCompressible<D>::Energy WeaklyCompressible<D>::energy() const {
   const auto vector = [](std::span<const double> values, Index i) {
@@ -84,8 +92,7 @@ std::vector<std::string> WeaklyCompressible<D>::remarks() const {
                   now.kinetic, now.potential, now.compression, course_.dissipated)};
   if (keeps_volume())
     remarks.push_back(fmt::format(
-        "The fluid's volume was kept: sums over pairs would have changed it by {:.2g} of "
-        "itself.",
+        "The fluid's volume was kept: numerical errors would have changed it by {:.2g} of itself.",
         course_.swelling));
   return remarks;
 }

@@ -45,8 +45,8 @@ void WeaklyCompressible<D>::refresh_lines(double time) {
 /// the velocity w of the shift,
 ///   -rho_i sum V_j (w_j - w_i).grad W + sum V_j (rho_i w_i + rho_j w_j).grad W,
 /// which is  2 rho_i w_i.(sum V_j grad W) + sum V_j (rho_j - rho_i) w_j.grad W, the first of them
-/// this one. With a free surface it is left out as theirs is: there sum V_j grad W is not 0 however
-/// particles lie.
+/// this one. With a free surface it is left out, as theirs is near one: there sum V_j grad W is not
+/// 0 however particles lie.
 template <int D>
 double WeaklyCompressible<D>::change_by_shift(const FluidSpread<D>& spread, double density,
                                               const Vec<D>& shift) const {
